@@ -1,0 +1,26 @@
+#include "craze/base/parallel.h"
+
+#include <algorithm>
+
+#ifndef __EMSCRIPTEN__
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace craze {
+
+void parallel_for(int threads, std::size_t n, std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)>& body) {
+  const std::size_t chunks = (n + grain - 1) / grain;
+  const auto run_chunk = [&](std::size_t c) { body(c * grain, std::min(n, (c + 1) * grain)); };
+#ifndef __EMSCRIPTEN__
+  if (threads != 1 && chunks > 1) {
+    tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk); });
+    return;
+  }
+#endif
+  for (std::size_t c = 0; c < chunks; ++c) run_chunk(c);
+}
+
+}  // namespace craze

@@ -1,0 +1,49 @@
+// A surface as files hold it: triangles with everything attached, no adjacency.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "craze/base/tensor.h"
+
+namespace craze {
+
+using Triangle = std::array<std::int32_t, 3>;
+using Color = std::array<float, 4>;  ///< linear red, green, blue, alpha in 0 … 1
+
+/// A named quantity per vertex or per face. values has `components` numbers per element.
+struct Attribute {
+  std::string name;
+  int components = 1;
+  std::vector<double> values;
+};
+
+/// Triangles with attributes. Every array but positions and triangles may be empty: "not given".
+struct SurfaceMesh {
+  std::vector<Vec3> positions;               ///< #V, model units
+  std::vector<Triangle> triangles;           ///< #F, vertex indices, counter-clockwise from outside
+  std::vector<Vec2> corner_uvs;              ///< 3 #F: corner i of triangle f at 3f+i; seams differ
+  std::vector<Vec3> corner_normals;          ///< 3 #F, unit
+  std::vector<Color> vertex_colors;          ///< #V
+  std::vector<std::int32_t> face_materials;  ///< #F, index into material_names, −1: none
+  std::vector<std::string> material_names;
+  std::vector<Attribute> vertex_attributes;  ///< any named scalar or vector of the file
+  std::vector<Attribute> face_attributes;
+  std::vector<std::int32_t> source_faces;  ///< #F: the file's polygon each triangle came from
+};
+
+/// The attribute of that name, or nullptr.
+const Attribute* find_attribute(const std::vector<Attribute>& attributes, const std::string& name);
+
+/// Lines on or near a surface, for files and pictures: polylines broken into edges.
+struct LineSet {
+  std::vector<Vec3> points;                        ///< #P
+  std::vector<std::array<std::int32_t, 2>> edges;  ///< #E, point indices
+  std::vector<Vec2> uvs;                           ///< 2 #E: one per edge end, or empty
+  std::vector<Attribute> point_attributes;         ///< e.g. "junction"
+  std::vector<Attribute> edge_attributes;          ///< e.g. "time", "width"
+};
+
+}  // namespace craze

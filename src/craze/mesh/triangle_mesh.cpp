@@ -1,0 +1,145 @@
+#include "craze/mesh/triangle_mesh.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "craze/base/error.h"
+
+namespace craze {
+
+namespace {
+
+struct DirectedEdge {
+  std::int32_t low, high, halfedge;
+};
+
+[[noreturn]] void fail(std::int32_t face, const std::string& why) {
+  throw Error(ErrorKind::request, "mesh is not manifold", "face " + std::to_string(face), why);
+}
+
+}  // namespace
+
+TriangleMesh::TriangleMesh(std::vector<Vec3> positions, std::vector<Triangle> triangles)
+    : positions_(std::move(positions)), triangles_(std::move(triangles)) {
+  const std::int32_t halfedges = 3 * face_count();
+  opposite_.assign(halfedges, border);
+  first_halfedge_.assign(positions_.size(), -1);
+  source_face_.resize(triangles_.size());
+  root_.resize(positions_.size());
+  std::iota(source_face_.begin(), source_face_.end(), 0);
+  std::iota(root_.begin(), root_.end(), 0);
+
+  std::vector<DirectedEdge> edges(halfedges);
+  for (std::int32_t h = 0; h < halfedges; ++h) {
+    const std::int32_t a = from(h), b = to(h);
+    if (a < 0 || a >= vertex_count()) fail(face_of(h), "a corner is not a vertex");
+    if (a == b) fail(face_of(h), "a corner is repeated");
+    edges[h] = {std::min(a, b), std::max(a, b), h};
+  }
+  std::sort(edges.begin(), edges.end(), [](const DirectedEdge& x, const DirectedEdge& y) {
+    return std::tie(x.low, x.high, x.halfedge) < std::tie(y.low, y.high, y.halfedge);
+  });
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t j = i + 1;
+    while (j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high) ++j;
+    if (j - i > 2) fail(face_of(edges[i].halfedge), "an edge has more than two faces");
+    if (j - i == 2) {
+      const std::int32_t g = edges[i].halfedge, h = edges[i + 1].halfedge;
+      if (from(g) == from(h)) fail(face_of(h), "neighbouring faces are oriented differently");
+      opposite_[g] = h;
+      opposite_[h] = g;
+    }
+    i = j;
+  }
+
+  std::vector<std::int32_t> corners(positions_.size(), 0);
+  for (std::int32_t h = 0; h < halfedges; ++h) {
+    const std::int32_t v = from(h);
+    ++corners[v];
+    if (first_halfedge_[v] < 0 || is_open(h)) first_halfedge_[v] = h;
+  }
+  for (std::int32_t v = 0; v < vertex_count(); ++v) {
+    std::int32_t reached = 0;
+    for_each_outgoing(v, [&](std::int32_t) { ++reached; });
+    if (reached != corners[v]) {
+      fail(face_of(first_halfedge_[v]), "vertex " + std::to_string(v) + " has more than one fan");
+    }
+  }
+}
+
+double TriangleMesh::area(std::int32_t f) const {
+  const Triangle& t = triangles_[f];
+  const Vec3& p = positions_[t[0]];
+  return 0.5 * (positions_[t[1]] - p).cross(positions_[t[2]] - p).norm();
+}
+
+double TriangleMesh::total_area() const {
+  double sum = 0;
+  for (std::int32_t f = 0; f < face_count(); ++f) sum += area(f);
+  return sum;
+}
+
+TriangleMesh::Split TriangleMesh::split_edge(std::int32_t h, double t) {
+  const std::int32_t a = from(h), b = to(h), o = opposite_[h];
+  const std::int32_t x = vertex_count();
+  positions_.push_back((1 - t) * positions_[a] + t * positions_[b]);
+  root_.push_back(x);
+  first_halfedge_.push_back(-1);
+
+  Split split{x, {face_of(h), -1}, {-1, -1}};
+  // Shortens the face of g = (p → q) to end at x and appends the half (x, q, apex). Returns the
+  // halfedge x → q; g itself becomes p → x. The new half's corner 0 is x.
+  const auto halve = [&](std::int32_t g) {
+    const std::int32_t f = face_of(g), q = to(g), apex = from(prev(g)), side = next(g);
+    const std::int32_t half = face_count();
+    triangles_.push_back({x, q, apex});
+    source_face_.push_back(source_face_[f]);
+    triangles_[f][side % 3] = x;
+    const std::int32_t outer = opposite_[side];
+    opposite_.insert(opposite_.end(), {border, outer, side});
+    if (outer >= 0) opposite_[outer] = 3 * half + 1;
+    opposite_[side] = 3 * half + 2;
+    if (first_halfedge_[q] == side) first_halfedge_[q] = 3 * half + 1;
+    return 3 * half;
+  };
+  const std::int32_t xb = halve(h);
+  split.new_face[0] = face_of(xb);
+  if (o < 0) {
+    opposite_[xb] = o;
+    first_halfedge_[x] = xb;
+    return split;
+  }
+  // o runs b → a; after halving, o is b → x and its new half starts x → a.
+  const std::int32_t xa = halve(o);
+  split.face[1] = face_of(o);
+  split.new_face[1] = face_of(xa);
+  opposite_[h] = xa;
+  opposite_[xa] = h;
+  opposite_[o] = xb;
+  opposite_[xb] = o;
+  first_halfedge_[x] = xb;
+  return split;
+}
+
+TriangleMesh::Cut TriangleMesh::cut(std::int32_t h, std::int32_t crack) {
+  const std::int32_t o = opposite_[h], a = from(h), b = to(h);
+  const bool a_open = is_open_vertex(a), b_open = is_open_vertex(b);
+  opposite_[h] = opposite_[o] = -2 - crack;
+  return {separate(a, h, a_open), separate(b, o, b_open)};
+}
+
+std::int32_t TriangleMesh::separate(std::int32_t v, std::int32_t fan_start, bool was_open) {
+  if (!was_open) {
+    first_halfedge_[v] = fan_start;
+    return -1;
+  }
+  const std::int32_t copy = vertex_count();
+  positions_.push_back(Vec3(positions_[v]));
+  root_.push_back(root_[v]);
+  first_halfedge_.push_back(fan_start);
+  for (std::int32_t h = fan_start; h >= 0; h = rotate(h)) triangles_[h / 3][h % 3] = copy;
+  return copy;
+}
+
+}  // namespace craze

@@ -1,0 +1,40 @@
+// The cracks of a finished run as a graph on the surface.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "craze/base/tensor.h"
+
+namespace craze {
+
+/// How many crack edges meet at a node, and where it lies.
+enum class JunctionKind : std::int32_t {
+  end = 0,       ///< one edge, inside the surface: a tip
+  bend = 1,      ///< two edges: the inside of a crack
+  junction = 2,  ///< three or more
+  border = 3,    ///< on the border of the input
+};
+
+struct CrackNode {
+  Vec3 position;
+  Vec3 normal;             ///< unit, of the surface there
+  std::int32_t face = -1;  ///< an input triangle (source face) that holds the node
+  JunctionKind kind = JunctionKind::bend;
+};
+
+struct CrackEdge {
+  std::int32_t a = -1, b = -1;  ///< node indices; the crack grew from a to b
+  double time = 0;              ///< load factor s (or simulated time, euler) at which it opened
+  double width = 0;             ///< opening of Eq. 9 with γ = 1, averaged over the edge, length
+  std::int32_t event = 0;       ///< the crack event that made it, counted from 0
+  std::int32_t face = -1;       ///< an input triangle that holds the edge
+};
+
+/// Edges meet only at nodes: a crack that ends on another one splits it there.
+struct CrackNetwork {
+  std::vector<CrackNode> nodes;
+  std::vector<CrackEdge> edges;
+};
+
+}  // namespace craze

@@ -1,0 +1,93 @@
+// What a run is asked to do: the recipe's sections as plain structs. Names, ranges, units and texts
+// are in scenario/parameter_table.cpp, the one place that describes them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "craze/base/tensor.h"
+
+namespace craze {
+
+enum class Engine { euler, quasistatic };
+enum class Criterion { force, strength };
+enum class CurvatureScale { none, gaussian, mean, frobenius, sum_of_squares };
+enum class BoundaryKind { free, fixed };
+
+/// [stress]: the initial field σ₀, the sum of what is given.
+struct StressParameters {
+  double uniform = 1;              ///< isotropic tension
+  std::array<double, 6> tensor{};  ///< sxx syy szz sxy syz szx, world axes
+  double noise = 0.05;             ///< relative standard deviation
+  double noise_length = 0;         ///< correlation length; 0: per triangle
+  double curvature = 0;            ///< times the curvature tensor
+  double curvature_radius = 0;     ///< 0: twice the mean edge
+  std::string attribute;           ///< of the input, added
+  std::string texture;             ///< grey image in UV space, multiplied in
+};
+
+/// [[impact]]: a stress pattern around a point of the surface.
+struct Impact {
+  Vec3 point = Vec3::Zero();
+  double radius = 1;
+  double radial = 0;   ///< amplitude of the tension along the rays: opens rings
+  double hoop = 1;     ///< amplitude of the tension around the point: opens rays
+  double falloff = 2;  ///< exponent of the decay beyond the radius
+};
+
+/// [material]
+struct MaterialParameters {
+  double toughness = 1;  ///< τ
+  double strength = 1;
+  Criterion criterion = Criterion::force;
+  double alpha = 0.5;  ///< α of Eq. 8
+  double scatter = 0;  ///< relative scatter of the strength
+  CurvatureScale curvature_scale = CurvatureScale::none;
+  double bias = 0;  ///< preference for principal directions (Fig. 2)
+};
+
+/// [layer]
+struct LayerParameters {
+  double spacing = 0;           ///< asked-for spacing of the cracks
+  double screening_length = 0;  ///< ℓ; 0: no adhesion
+};
+
+/// [evolution]
+struct EvolutionParameters {
+  double shrinkage = 0;               ///< c: c I is added to every σ per step
+  double curvature_growth = 0;        ///< times the curvature tensor, added per step
+  double time_step = 0.1;             ///< Δt
+  std::int64_t relaxation_steps = 1;  ///< R
+  std::int64_t cracks_per_step = 1;
+  double max_load = 4;
+  std::int64_t max_cracks = 0;  ///< 0: no limit
+};
+
+/// [boundary]
+struct BoundaryParameters {
+  BoundaryKind kind = BoundaryKind::free;  ///< key boundary.default
+  std::string fixed_attribute;
+};
+
+/// [crack]
+struct CrackParameters {
+  double snap_angle = 25;  ///< θ₁, degrees
+  double back_angle = 15;  ///< θ₂, degrees
+};
+
+/// Everything the simulation needs to know besides the mesh.
+struct SimulationParameters {
+  Engine engine = Engine::euler;
+  std::uint64_t seed = 1;
+  StressParameters stress;
+  std::vector<Impact> impacts;
+  MaterialParameters material;
+  LayerParameters layer;
+  EvolutionParameters evolution;
+  BoundaryParameters boundary;
+  CrackParameters crack;
+};
+
+}  // namespace craze
