@@ -46,7 +46,7 @@ template <class Entry>
         return edit_distance(name, x.name) < edit_distance(name, y.name);
       });
   std::string why = "did you mean " + quoted(nearest->name) + "? Known:";
-  for (const Entry& e : known) why += " " + std::string(e.name);
+  for (const Entry& e : known) why.append(1, ' ').append(e.name);
   throw Error(ErrorKind::usage, "no such " + kind + " " + quoted(name),
               "shape:" + std::string(specification), why);
 }
