@@ -41,8 +41,7 @@ double singular_value_cap(const TriangleMesh& mesh) {
   std::vector<double> largest;
   largest.reserve(mesh.face_count());
   for (const Triangle& t : mesh.triangles()) {
-    const Mat2 beta =
-        basis_matrix(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+    const Mat2 beta = basis_matrix(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
     const double s = singular_values(beta).largest;
     if (std::isfinite(s)) largest.push_back(s);
   }

@@ -1,7 +1,7 @@
 // The barycentric basis matrix β of a triangle, and the cap on its singular values.
 //
-// [IO06] §3.3: β turns positions into barycentric coordinates; §4.2: its singular values are limited
-// so that slivers do not make the explicit relaxation unstable.
+// [IO06] §3.3: β turns positions into barycentric coordinates; §4.2: its singular values are
+// limited so that slivers do not make the explicit relaxation unstable.
 #pragma once
 
 #include <span>
