@@ -39,7 +39,7 @@ void add_nearest_crack(SurfaceMesh& result, const Simulation& simulation) {
   Attribute time = make("crack_time", 1, mesh.vertex_count(), -1);
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     mesh.for_each_outgoing(v, [&](std::int32_t h) {
-      for (const CrackSegmentSeen& seen : cracks.of(TriangleMesh::face_of(h))) {
+      for (const NearbyCrack& seen : cracks.of(TriangleMesh::face_of(h))) {
         const double d = point_segment_distance(mesh.position(v), seen.a, seen.b);
         const double t = times[mesh.crack_of(seen.halfedge)];
         if (d > distance.values[v]) continue;
