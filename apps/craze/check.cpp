@@ -27,8 +27,8 @@ std::vector<std::string> extras(const SurfaceMesh& mesh) {
 }
 
 std::string as_text(const SurfaceMesh& input, const MeshSummary& s, const RepairReport& repair) {
-  std::string text = fmt::format("{} vertices, {} triangles\n", input.positions.size(),
-                                 input.triangles.size());
+  std::string text =
+      fmt::format("{} vertices, {} triangles\n", input.positions.size(), input.triangles.size());
   const std::string repairs = repair.text();
   text += repairs.empty() ? "nothing to repair\n" : "repair: " + repairs + "\n";
   text += fmt::format("after repair: {} vertices, {} triangles, {} component(s), {}\n", s.vertices,

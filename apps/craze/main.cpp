@@ -44,6 +44,8 @@ int run_command(int argc, char** argv) {
       "craze VERB --help says more about each.");
   app.require_subcommand(1);
   Action action;
+  add_crack(app, action);
+  add_check(app, action);
   add_presets(app, action);
   add_parameters(app, action);
   if (argc > 1) check_verb(app, argv[1]);

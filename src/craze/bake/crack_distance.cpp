@@ -6,7 +6,7 @@ namespace craze {
 
 double crack_distance(const NearbyCracks& cracks, std::int32_t f, const Vec3& point) {
   double nearest = cracks.max_distance;
-  for (const CrackSegment& s : cracks.of(f)) {
+  for (const NearbyCrack& s : cracks.of(f)) {
     nearest = std::min(nearest, point_segment_distance(point, s.a, s.b));
   }
   return nearest;
@@ -20,7 +20,7 @@ std::vector<double> crack_distances(const TriangleMesh& mesh, const NearbyCracks
     }
   }
   // Unfolding rounds; the vertices of the cracks are sources.
-  for (const CrackSegment& s : cracks.segments) {
+  for (const NearbyCrack& s : cracks.segments) {
     distance[mesh.from(s.halfedge)] = distance[mesh.to(s.halfedge)] = 0;
   }
   return distance;

@@ -71,7 +71,7 @@ class Propagation {
 
   void accept(const Arrival& arrival) {
     const std::int32_t f = arrival.face;
-    const CrackSegment segment = pool_[arrival.segment];
+    const NearbyCrack segment = pool_[arrival.segment];
     accepted_.push_back({arrival.segment, last_[f]});
     last_[f] = static_cast<std::int32_t>(accepted_.size()) - 1;
 
@@ -86,7 +86,7 @@ class Propagation {
     }
   }
 
-  void pass_on(const Arrival& arrival, const CrackSegment& segment, std::int32_t h) {
+  void pass_on(const Arrival& arrival, const NearbyCrack& segment, std::int32_t h) {
     const Vec3& origin = mesh_.position(mesh_.from(h));
     const Vec3& end = mesh_.position(mesh_.to(h));
     const double distance =
@@ -123,7 +123,7 @@ class Propagation {
 
   const TriangleMesh& mesh_;
   double max_distance_;
-  std::vector<CrackSegment> pool_;
+  std::vector<NearbyCrack> pool_;
   std::vector<Accepted> accepted_;
   std::vector<double> covered_;     // per face: no point of it is farther from a crack than this
   std::vector<std::int32_t> last_;  // per face: index into accepted_

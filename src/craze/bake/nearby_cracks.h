@@ -12,7 +12,7 @@ namespace craze {
 
 /// A crack edge as seen from a face: unfolded over the edges between them into the plane of that
 /// face, so a straight distance to it there is a distance along the surface.
-struct CrackSegment {
+struct NearbyCrack {
   Vec3 a, b;              ///< unfolded positions of from(halfedge) and to(halfedge)
   std::int32_t halfedge;  ///< the side of a crack that it is
 };
@@ -21,9 +21,9 @@ struct CrackSegment {
 struct NearbyCracks {
   double max_distance = 0;          ///< cracks farther away than this are not listed
   std::vector<std::int32_t> first;  ///< #F + 1, offsets into segments; empty: no face sees any
-  std::vector<CrackSegment> segments;
+  std::vector<NearbyCrack> segments;
 
-  std::span<const CrackSegment> of(std::int32_t face) const {
+  std::span<const NearbyCrack> of(std::int32_t face) const {
     if (first.empty()) return {};
     const auto begin = static_cast<std::size_t>(first[face]);
     return {segments.data() + begin, static_cast<std::size_t>(first[face + 1]) - begin};

@@ -7,7 +7,7 @@ CrackLines crack_lines(const TriangleMesh& mesh, const std::vector<std::int32_t>
   CrackLines lines{nearby_cracks(mesh, sides, reach), {}};
   if (vertex_width.empty()) return lines;
   lines.width.reserve(lines.cracks.segments.size());
-  for (const CrackSegment& s : lines.cracks.segments) {
+  for (const NearbyCrack& s : lines.cracks.segments) {
     lines.width.push_back({static_cast<float>(vertex_width[mesh.from(s.halfedge)]),
                            static_cast<float>(vertex_width[mesh.to(s.halfedge)])});
   }
@@ -19,7 +19,7 @@ LinePainter::LinePainter(const CrackLines& lines, const Vec3& origin, double sca
     : first_(lines.cracks.first) {
   segments_.reserve(lines.cracks.segments.size());
   for (std::size_t i = 0; i < lines.cracks.segments.size(); ++i) {
-    const CrackSegment& s = lines.cracks.segments[i];
+    const NearbyCrack& s = lines.cracks.segments[i];
     const double squared_length = scale * scale * (s.b - s.a).squaredNorm();
     const auto unit = static_cast<float>(half_width);
     const std::array<float, 2> width =

@@ -48,7 +48,8 @@ void check_folder(const Output& output) {
   const fs::path folder = parent.empty() ? fs::path(".") : parent;
   if (!fs::is_directory(folder, ignored)) fail("its folder does not exist");
   // A device or pipe is written in place, anything else beside its place and renamed.
-  const bool in_place = fs::exists(output.path, ignored) && !fs::is_regular_file(output.path, ignored);
+  const bool in_place =
+      fs::exists(output.path, ignored) && !fs::is_regular_file(output.path, ignored);
   if (!in_place && access(folder.c_str(), W_OK) != 0) fail("its folder cannot be written");
 }
 

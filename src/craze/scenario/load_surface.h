@@ -7,8 +7,8 @@
 
 namespace craze {
 
-/// Reads a mesh file, or makes the shape of "shape:NAME?key=value&…". Throws Error(input) for a file
-/// that cannot be read, Error(usage) for an unknown shape.
+/// Reads a mesh file, or makes the shape of "shape:NAME?key=value&…". Throws Error(input) for a
+/// file that cannot be read, Error(usage) for an unknown shape.
 SurfaceMesh load_surface(const std::string& input);
 
 }  // namespace craze

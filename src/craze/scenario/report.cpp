@@ -13,11 +13,16 @@ nlohmann::ordered_json to_json(const MeshCounts& counts) {
 }  // namespace
 
 nlohmann::ordered_json repair_to_json(const RepairReport& r) {
-  return {{"merged_vertices", r.merged_vertices},     {"unused_vertices", r.unused_vertices},
-          {"degenerate_faces", r.degenerate_faces},   {"duplicate_faces", r.duplicate_faces},
-          {"flipped_faces", r.flipped_faces},         {"nonmanifold_edges", r.nonmanifold_edges},
-          {"cut_edges", r.cut_edges},                 {"split_vertices", r.split_vertices},
-          {"inserted_vertices", r.inserted_vertices}, {"components", r.components},
+  return {{"merged_vertices", r.merged_vertices},
+          {"unused_vertices", r.unused_vertices},
+          {"degenerate_faces", r.degenerate_faces},
+          {"duplicate_faces", r.duplicate_faces},
+          {"flipped_faces", r.flipped_faces},
+          {"nonmanifold_edges", r.nonmanifold_edges},
+          {"cut_edges", r.cut_edges},
+          {"split_vertices", r.split_vertices},
+          {"inserted_vertices", r.inserted_vertices},
+          {"components", r.components},
           {"boundary_loops", r.boundary_loops}};
 }
 

@@ -5,12 +5,10 @@
 
 #include "craze/base/error.h"
 #include "craze/io/atomic_file.h"
-#include "craze/io/write_lines.h"
 #include "craze/io/write_mesh.h"
 #include "craze/mesh/components.h"
 #include "craze/mesh/repair.h"
 #include "craze/model/simulation.h"
-#include "craze/scenario/crack_lines.h"
 #include "craze/scenario/fields.h"
 #include "craze/scenario/load_surface.h"
 #include "craze/scenario/output_surface.h"
@@ -81,9 +79,9 @@ void write_outputs(const RunRequest& request, const SurfaceMesh& surface,
   report.cracks.events = simulation.events();
   report.cracks.segments = simulation.segments();
   report.cracks.length = total_length(network);
-  if (!request.lines.empty()) write_lines(request.lines, crack_lines(network, surface));
   if (!request.fields.empty()) {
-    write_mesh(request.fields, field_mesh(simulation, request.recipe.simulation.stress.curvature_radius, context));
+    write_mesh(request.fields,
+               field_mesh(simulation, request.recipe.simulation.stress.curvature_radius, context));
   }
 }
 
@@ -98,8 +96,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   report.threads = thread_count(context.threads);
 
   context.report({"load"});
-  const SurfaceMesh surface =
-      prepare_surface(load_and_repair(request, report), report.recipe);
+  const SurfaceMesh surface = simulation_surface(load_and_repair(request, report), report.recipe);
   report.simulation = count(surface);
   report.time.load = phase.lap();
 
