@@ -1,6 +1,5 @@
 // craze crack INPUT: grows cracks on a mesh and writes what was asked for.
 #include <memory>
-#include <optional>
 
 #include "app.h"
 #include "craze/scenario/presets.h"
@@ -14,9 +13,8 @@ namespace {
 
 struct Options {
   RunRequest request;
-  std::string preset, recipe;
+  std::string preset, recipe, seed;
   std::vector<std::string> settings;
-  std::optional<std::uint64_t> seed;
   int threads = 0;
   bool quiet = false;
 };
@@ -27,7 +25,7 @@ Recipe build_recipe(const Options& options) {
   if (!options.preset.empty()) recipe = read_preset(options.preset);
   if (!options.recipe.empty()) recipe = read_recipe_file(options.recipe);
   for (const std::string& setting : options.settings) apply_set(recipe, setting);
-  if (options.seed) apply_set(recipe, "seed=" + std::to_string(*options.seed));
+  if (!options.seed.empty()) apply_set(recipe, "seed=" + options.seed);
   return recipe;
 }
 
