@@ -5,49 +5,18 @@
 #include <limits>
 #include <numbers>
 
+#include "bake/surfaces.h"
 #include "craze/bake/segment_distance.h"
 #include "craze/base/random.h"
 
 namespace craze {
 namespace {
 
+using test::cut_at_random;
+using test::grid;
+using test::plate;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// n × m cells of two triangles; place(i / n, j / m) puts the points, `wrap` closes the first way.
-template <class Place>
-TriangleMesh grid(int n, int m, bool wrap, Place place) {
-  const int columns = wrap ? n : n + 1;
-  std::vector<Vec3> positions;
-  std::vector<Triangle> triangles;
-  for (int j = 0; j <= m; ++j) {
-    for (int i = 0; i < columns; ++i) positions.push_back(place(double(i) / n, double(j) / m));
-  }
-  const auto at = [&](int i, int j) { return j * columns + i % columns; };
-  for (int j = 0; j < m; ++j) {
-    for (int i = 0; i < n; ++i) {
-      triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return {positions, triangles};
-}
-
-TriangleMesh plate(int n, double jitter) {
-  Random random(3);
-  return grid(n, n, false, [&](double x, double y) {
-    const bool inside = x > 0 && x < 1 && y > 0 && y < 1;
-    const double s = inside ? jitter / n : 0;
-    return Vec3(x + s * random.uniform(-1, 1), y + s * random.uniform(-1, 1), 0);
-  });
-}
-
-void cut_at_random(TriangleMesh& mesh, int cuts, std::uint64_t seed) {
-  Random random(seed);
-  for (int i = 0; i < cuts; ++i) {
-    const auto h = static_cast<std::int32_t>(random.below(3 * mesh.face_count()));
-    if (!mesh.is_open(h)) mesh.cut(h, i);
-  }
-}
 
 double straight_distance(const TriangleMesh& mesh, const Vec3& p) {
   double nearest = infinity;
@@ -60,7 +29,7 @@ double straight_distance(const TriangleMesh& mesh, const Vec3& p) {
 
 TEST(CrackDistance, OnAFlatPlateItIsTheStraightDistanceAtEveryPointOfEveryFace) {
   TriangleMesh mesh = plate(14, 0.35);
-  cut_at_random(mesh, 12, 5);
+  cut_at_random(mesh, 12, 0, 5);
   const NearbyCracks cracks = nearby_cracks(mesh, crack_sides(mesh), infinity);
   Random random(9);
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
@@ -86,7 +55,7 @@ TEST(CrackDistance, IsExactInsideTheTwoTrianglesOfACoarseMesh) {
 
 TEST(CrackDistance, OnACylinderItIsMeasuredRoundTheCylinder) {
   const int n = 24;
-  TriangleMesh mesh = grid(n, 10, true, [](double s, double t) {
+  TriangleMesh mesh = grid(n, 10, true, false, [](double s, double t) {
     const double angle = 2 * std::numbers::pi * s;
     return Vec3(std::cos(angle), std::sin(angle), t);
   });
@@ -109,7 +78,7 @@ TEST(CrackDistance, OnACylinderItIsMeasuredRoundTheCylinder) {
 TEST(CrackDistance, ACrackDoesNotShowThroughAThinWall) {
   // A strip folded over a rim at x = 1: the back lies 0.01 behind the front.
   const double thickness = 0.01;
-  TriangleMesh mesh = grid(60, 12, false, [&](double s, double t) {
+  TriangleMesh mesh = grid(60, 12, false, false, [&](double s, double t) {
     const double x = s * (2 + thickness);
     if (x <= 1) return Vec3(x, t, 0);
     if (x <= 1 + thickness) return Vec3(1, t, 1 - x);
@@ -137,7 +106,7 @@ TEST(CrackDistance, ACrackDoesNotShowThroughAThinWall) {
 
 TEST(CrackDistance, FacesBeyondTheReachListNothing) {
   TriangleMesh mesh = plate(20, 0.2);
-  cut_at_random(mesh, 1, 1);
+  cut_at_random(mesh, 1, 0, 1);
   const double reach = 0.1;
   const NearbyCracks near = nearby_cracks(mesh, crack_sides(mesh), reach);
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {

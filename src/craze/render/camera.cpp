@@ -33,6 +33,23 @@ struct Support {
   double along(double tangent) const { return -(positive + negative) / (2 * tangent); }
 };
 
+/// Moves the eye sideways, nearer to where the points' picture is centred.
+void centre_picture(const std::vector<Vec3>& points, Camera& camera) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec2 low(infinity, infinity), high(-infinity, -infinity);
+  double depth = 0;
+  for (const Vec3& point : points) {
+    const Vec3 p = point - camera.eye;
+    const double along = p.dot(camera.forward);
+    const Vec2 seen = Vec2(p.dot(camera.right), p.dot(camera.up)) / along;
+    low = low.cwiseMin(seen);
+    high = high.cwiseMax(seen);
+    depth += along / static_cast<double>(points.size());
+  }
+  const Vec2 shift = depth / 2 * (low + high);
+  camera.eye += shift.x() * camera.right + shift.y() * camera.up;
+}
+
 }  // namespace
 
 Camera frame(const std::vector<Vec3>& points, const View& view, double aspect) {
@@ -66,6 +83,9 @@ Camera frame(const std::vector<Vec3>& points, const View& view, double aspect) {
   // A single point needs some distance too.
   const double along = std::min(x.along(tx), y.along(ty)) - 1e-6 * (1 + (high - low).norm());
   camera.eye = x.centre() * camera.right + y.centre() * camera.up + along * camera.forward;
+  // Where there is room to spare, the middle of the sight lines is not yet the middle of the
+  // picture.
+  for (int pass = 0; pass < 4; ++pass) centre_picture(points, camera);
   return camera;
 }
 

@@ -16,7 +16,6 @@ void Film::smooth_light(int threads, float pixel_size) {
 
 void Film::smooth_once(int threads, float pixel_size, int step) {
   const std::vector<Rgb> before = smoothed_;
-  const float light_range = 0.18f / static_cast<float>(step);
   const float depth_range = 2.5f * pixel_size * static_cast<float>(step);
   parallel_for(
       threads, static_cast<std::size_t>(height_), 8, [&](std::size_t begin, std::size_t end) {
@@ -26,6 +25,9 @@ void Film::smooth_once(int threads, float pixel_size, int step) {
             const Pixel& here = pixels_[i];
             if (here.normal.isZero()) continue;
             const float own = luminance(before[i]);
+            // Shadows on the floor are soft and take fewer samples.
+            const float light_range =
+                (here.floor > 0.99f ? 0.8f : 0.18f) / static_cast<float>(step);
             Rgb sum = 4 * before[i];
             float weights = 4;
             for (int dy = -step; dy <= step; dy += step) {

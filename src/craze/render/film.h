@@ -11,12 +11,13 @@ namespace craze::render {
 /// The mean of a pixel's samples. Light is kept apart from the surface's colour, so that the noise
 /// of the light can be smoothed without blurring crack lines.
 struct Pixel {
-  Rgb albedo = Rgb::Zero();   ///< diffuse reflectance
-  Rgb light = Rgb::Zero();    ///< irradiance / π
-  Rgb diffuse = Rgb::Zero();  ///< mean of albedo × light
-  Rgb direct = Rgb::Zero();   ///< seen as it is: reflections, glass, backdrop
-  Vec3f normal = Vec3f::Zero();
+  Rgb albedo = Rgb::Zero();      ///< diffuse reflectance
+  Rgb light = Rgb::Zero();       ///< irradiance / π
+  Rgb diffuse = Rgb::Zero();     ///< mean of albedo × light
+  Rgb direct = Rgb::Zero();      ///< seen as it is: reflections, glass, backdrop
+  Vec3f normal = Vec3f::Zero();  ///< unit; zero where nothing is lit
   Vec3f position = Vec3f::Zero();
+  float floor = 0;  ///< part of the pixel that shows the floor
 };
 
 class Film {

@@ -38,8 +38,8 @@ void check(const SurfaceMesh& mesh, const CrackLines* lines, const PictureOption
     refuse(std::to_string(options.width) + " x " + std::to_string(options.height),
            "the size must be 1 to 16384 pixels");
   }
-  if (options.samples < 1 || options.samples > 65536) {
-    refuse("samples " + std::to_string(options.samples), "must be 1 to 65536");
+  if (options.samples < 1 || options.samples > 4096) {
+    refuse("samples " + std::to_string(options.samples), "must be 1 to 4096");
   }
   if (mesh.triangles.empty()) refuse("mesh", "it has no triangles");
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -66,7 +66,7 @@ std::vector<std::uint8_t> find_walls(const SurfaceMesh& mesh) {
 
 double line_width(const SurfaceMesh& mesh, const PictureOptions& options) {
   if (options.line_width > 0 || mesh.positions.empty()) return options.line_width;
-  return 0.0026 * bounds(mesh.positions).diagonal;
+  return 0.0021 * bounds(mesh.positions).diagonal;
 }
 
 double line_reach(const SurfaceMesh& mesh, const PictureOptions& options) {
@@ -91,11 +91,12 @@ Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
 
   const Camera camera =
       frame(model.positions, options.view, static_cast<double>(options.width) / options.height);
-  const Studio studio(camera, options.backdrop);
-  const Tracer tracer(model, options.material, camera, studio, options.ground, options.seed);
+  const Studio studio(camera, options.backdrop.value_or(options.material.backdrop));
+  const int groups = (options.samples + RayScene::lanes - 1) / RayScene::lanes;
+  const Tracer tracer(model, options.material, camera, studio, options.ground, groups,
+                      options.seed);
 
   Film film(options.width, options.height);
-  const int groups = (options.samples + RayScene::lanes - 1) / RayScene::lanes;
   constexpr int band = 64;  // rows between two reports
   for (int top = 0; top < options.height; top += band) {
     context.report({.phase = "picture", .fraction = static_cast<double>(top) / options.height});
@@ -105,7 +106,7 @@ Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
                    for (int y = top + static_cast<int>(begin); y < top + static_cast<int>(end);
                         ++y) {
                      for (int x = 0; x < options.width; ++x) {
-                       film.at(x, y) = tracer.trace(x, y, options.width, options.height, groups);
+                       film.at(x, y) = tracer.trace(x, y, options.width, options.height);
                      }
                    }
                  });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "craze/base/context.h"
 #include "craze/mesh/surface_mesh.h"
@@ -17,8 +18,8 @@ struct PictureOptions {
   int samples = 16;                ///< per pixel, rounded up to a multiple of 16
   View view;
   Material material = find_material("clay");
-  Rgb backdrop = from_srgb(186, 187, 190);
-  bool ground = true;     ///< a floor that catches the shadow
+  std::optional<Rgb> backdrop;  ///< by default the material's
+  bool ground = true;           ///< a floor that catches the shadow
   double line_width = 0;  ///< of a crack line, model units; 0: a fixed part of the mesh's diagonal
   double crease = 50;     ///< degrees: edges sharper than this are shaded as edges
   float exposure = 1;

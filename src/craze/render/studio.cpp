@@ -19,17 +19,19 @@ Studio::Studio(const Camera& camera, const Rgb& backdrop)
       forward_(direction(camera.forward)),
       tan_x_(static_cast<float>(camera.tan_x)),
       tan_y_(static_cast<float>(camera.tan_y)),
-      lamp_light_(1.02f, 0.98f, 0.92f),
+      lamp_light_(1.14f, 1.09f, 1.02f),
       backdrop_(backdrop) {
   const Vec3 back = camera.vertical.cross(camera.right);  // level, away from the viewer
   const double above = smoothstep(25, 75, static_cast<float>(camera.elevation));
   lamp_ = direction(-0.75 * camera.right + 0.95 * camera.vertical + (1.3 * above - 0.7) * back);
+  window_ = direction(-0.8 * camera.right + (0.12 + 0.5 * above) * camera.vertical +
+                      (1.2 * above - 0.62) * back);
   strip_ = direction(0.95 * camera.right + 0.45 * camera.vertical + 0.1 * back);
 }
 
 Rgb Studio::sky(const Vec3f& d) const {
   const float height = d.dot(vertical_);
-  const Rgb zenith(0.46f, 0.48f, 0.52f), horizon(0.30f, 0.31f, 0.33f), floor(0.24f, 0.23f, 0.215f);
+  const Rgb zenith(0.42f, 0.44f, 0.48f), horizon(0.26f, 0.27f, 0.29f), floor(0.20f, 0.19f, 0.18f);
   if (height < 0) return floor;
   const float side = 0.5f + 0.5f * d.dot(lamp_);
   return (horizon + height * (zenith - horizon)) * (0.55f + 0.75f * side * side);
@@ -47,9 +49,9 @@ float Studio::screen(const Vec3f& d, const Vec3f& centre, const Vec3f& upright, 
 }
 
 Rgb Studio::reflection(const Vec3f& d) const {
-  const float lamp = screen(d, lamp_, vertical_, 0.30f, 0.42f);
+  const float window = screen(d, window_, vertical_, 0.21f, 0.62f);
   const float strip = screen(d, strip_, vertical_, 0.09f, 0.75f);
-  return 0.9f * sky(d) + 5.5f * lamp * lamp_light_ + 1.6f * strip * Rgb(0.92f, 0.96f, 1.0f);
+  return 0.9f * sky(d) + 5.0f * window * lamp_light_ + 1.6f * strip * Rgb(0.92f, 0.96f, 1.0f);
 }
 
 Rgb Studio::backdrop(float x, float y) const {

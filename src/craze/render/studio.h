@@ -21,7 +21,8 @@ class Studio {
 
   /// Radiance of the tent, without the lamp, from direction d (unit).
   Rgb sky(const Vec3f& d) const;
-  /// What a mirror sees in direction d (unit): the tent, the lamp's screen and a strip light.
+  /// What a mirror sees in direction d (unit): the tent, a tall window on the lamp's side and a
+  /// strip light.
   Rgb reflection(const Vec3f& d) const;
   /// The backdrop at a place on the picture, x and y in −1 … 1.
   Rgb backdrop(float x, float y) const;
@@ -32,7 +33,7 @@ class Studio {
   float screen(const Vec3f& d, const Vec3f& centre, const Vec3f& upright, float half_width,
                float half_height) const;
 
-  Vec3f vertical_, right_, up_, forward_, lamp_, strip_;
+  Vec3f vertical_, right_, up_, forward_, lamp_, window_, strip_;
   float tan_x_, tan_y_;
   Rgb lamp_light_, backdrop_;
 };

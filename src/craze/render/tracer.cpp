@@ -1,5 +1,6 @@
 #include "craze/render/tracer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,16 +13,13 @@ namespace {
 constexpr float ray_offset = 2e-5f;
 /// Light from hidden directions: the object's own colour, lit about half as well.
 constexpr float bounce = 0.22f;
+/// Within this distance of the object's centre the floor may be in its shadow.
+constexpr float floor_radius = 2;
 
 /// Schlick's approximation for a clear coat of refractive index 1.5.
 float fresnel(float cosine) {
   const float m = 1 - std::clamp(cosine, 0.0f, 1.0f), m2 = m * m;
   return 0.04f + 0.96f * m2 * m2 * m;
-}
-
-/// From −1 to 1, denser in the middle: a tent filter over two pixels, sampled.
-float tent(float u) {
-  return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
 }
 
 Vec3f mirrored(const Vec3f& d, const Vec3f& n) {
@@ -35,14 +33,15 @@ Ray ray_from(const Vec3f& position, const Vec3f& side, const Vec3f& direction) {
 }  // namespace
 
 Tracer::Tracer(const TracedModel& model, const Material& material, const Camera& camera,
-               const Studio& studio, bool ground, std::uint64_t seed)
+               const Studio& studio, bool ground, int groups, std::uint64_t seed)
     : model_(model),
       material_(material),
       camera_(camera),
       studio_(studio),
       scene_(model.positions, model.triangles),
       has_floor_(ground),
-      seed_(seed) {
+      groups_(groups),
+      samples_(groups * RayScene::lanes, seed) {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const Vec3& p : model.positions) {
     lowest = std::min(lowest, p.dot(camera.vertical));
@@ -88,13 +87,31 @@ Tracer::Surface Tracer::surface_at(const Ray& ray, const Hit& hit, float footpri
   return s;
 }
 
-bool Tracer::floor_at(const Ray& ray, Vec3f& point) const {
+Tracer::Surface Tracer::floor_or_backdrop(const Ray& ray) const {
+  Surface s;
+  s.albedo = backdrop(ray.direction);
   const float descent = ray.direction.dot(studio_.vertical());
-  if (!has_floor_ || descent >= 0) return false;
+  if (!has_floor_ || descent >= 0) return s;
   const float t = (floor_height_ - ray.origin.dot(studio_.vertical())) / descent;
-  point = ray.origin + t * ray.direction;
-  // Far away the floor is as bright as the backdrop, and it merges with it.
-  return t > 0 && point.squaredNorm() < 9;
+  s.position = ray.origin + t * ray.direction;
+  s.normal = s.geometric = studio_.vertical();
+  // Beyond, the floor is as bright as the backdrop and merges with it.
+  s.is_floor = s.lit = t > 0 && s.position.norm() < floor_radius;
+  return s;
+}
+
+Tracer::Grain Tracer::grain_at(const Vec3f& position) const {
+  Grain grain{true, 1, Vec3f::Zero()};
+  if (material_.mottle > 0) grain.tint += material_.mottle * fractal_noise(14 * position);
+  if (material_.bump > 0) {
+    const Vec3f p = 34 * position;
+    const float here = fractal_noise(p), step = 0.1f;
+    for (int k = 0; k < 3; ++k) {
+      grain.tilt[k] = here - fractal_noise(p + step * Vec3f::Unit(k));
+    }
+    grain.tilt *= material_.bump / step;
+  }
+  return grain;
 }
 
 Rgb Tracer::backdrop(const Vec3f& direction) const {
@@ -109,7 +126,7 @@ float Tracer::floor_light(const Surface& s, bool lamp_hidden, bool sky_hidden) c
   const float lamp = luminance(studio_.lamp_light()) * s.normal.dot(studio_.lamp_direction());
   const float sky = luminance(studio_.sky(studio_.vertical()));
   const float received = (lamp_hidden ? 0 : lamp) + (sky_hidden ? 0.12f * sky : sky);
-  const float near = 1 - smoothstep(1.0f, 2.8f, s.position.norm());
+  const float near = 1 - smoothstep(0.5f * floor_radius, floor_radius, s.position.norm());
   return 1 - shade * near * (1 - received / (lamp + sky));
 }
 
@@ -128,19 +145,18 @@ Rgb Tracer::sheen(const Surface& s, const Ray& lamp, bool lamp_hidden) const {
          studio_.lamp_light();
 }
 
-void Tracer::light(const Surfaces& surfaces, const SampleSet& lamp_samples,
-                   const SampleSet& sky_samples, std::uint32_t first_sample, Pixel& sum) const {
+void Tracer::light(const Surfaces& surfaces, const PixelSamples& samples, int first, int count,
+                   float weight, Pixel& sum) const {
   Lanes lamp, sky, mirror;
   bool any_mirror = false;
-  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+  for (int i = 0; i < count; ++i) {
     const Surface& s = surfaces[i];
     if (!s.lit) continue;
-    const Vec3f to_lamp = cone_direction(studio_.lamp_direction(), studio_.lamp_size(),
-                                         lamp_samples[first_sample + i]);
-    const Vec3f to_sky = cosine_direction(s.normal, sky_samples[first_sample + i]);
+    const Vec3f to_lamp =
+        cone_direction(studio_.lamp_direction(), studio_.lamp_size(), samples.lamp[first + i]);
     lamp[i] = ray_from(s.position, s.geometric, to_lamp);
     lamp[i].active = to_lamp.dot(s.normal) > 0;
-    sky[i] = ray_from(s.position, s.geometric, to_sky);
+    sky[i] = ray_from(s.position, s.geometric, cosine_direction(s.normal, samples.sky[first + i]));
     if (s.coat > 0) {
       any_mirror = true;
       mirror[i] = ray_from(s.position, s.geometric, mirrored(s.view, s.normal));
@@ -151,22 +167,24 @@ void Tracer::light(const Surfaces& surfaces, const SampleSet& lamp_samples,
   scene_.occluded(sky, sky_hidden);
   if (any_mirror) scene_.occluded(mirror, mirror_hidden);
 
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+  for (int i = 0; i < count; ++i) {
     const Surface& s = surfaces[i];
     if (!s.lit) continue;
     const Rgb received = s.is_floor
                              ? Rgb(Rgb::Constant(floor_light(s, lamp_hidden[i], sky_hidden[i])))
                              : object_light(s, lamp[i], lamp_hidden[i], sky[i], sky_hidden[i]);
-    sum.albedo += s.albedo;
-    sum.light += received;
-    sum.diffuse += s.albedo * received;
-    sum.direct += sheen(s, lamp[i], lamp_hidden[i]);
+    sum.albedo += weight * s.albedo;
+    sum.light += weight * received;
+    sum.diffuse += weight * s.albedo * received;
+    sum.direct += weight * sheen(s, lamp[i], lamp_hidden[i]);
     if (s.coat > 0) {
-      sum.direct += s.coat * (mirror_hidden[i] ? Rgb(0.4f * s.albedo)
-                                               : studio_.reflection(mirror[i].direction));
+      sum.direct +=
+          weight * s.coat *
+          (mirror_hidden[i] ? Rgb(0.4f * s.albedo) : studio_.reflection(mirror[i].direction));
     }
-    sum.normal += s.normal;
-    sum.position += s.position;
+    sum.normal += weight * s.normal;
+    sum.position += weight * s.position;
+    if (s.is_floor) sum.floor += weight;
   }
 }
 
@@ -204,57 +222,58 @@ Rgb Tracer::through_glass(const Ray& first_ray, const Hit& first_hit, float foot
   return seen + clear * (0.8f * backdrop(ray.direction) + 0.2f * studio_.reflection(ray.direction));
 }
 
-Pixel Tracer::trace(int x, int y, int width, int height, int groups) const {
-  const auto pixel = static_cast<std::uint32_t>(hash_bits(
-      hash_bits(seed_) ^ (static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(width) + x)));
-  const SampleSet lens(pixel, 1), lamp_samples(pixel, 2), sky_samples(pixel, 3);
+Pixel Tracer::trace(int x, int y, int width, int height) const {
+  const PixelSamples samples = samples_.of_pixel(static_cast<std::uint64_t>(y) * width + x);
   const Vec3f eye = camera_.eye.cast<float>();
-  const float pixel_angle = static_cast<float>(2 * camera_.tan_y / height);
+  const Vec3f centre =
+      camera_.ray(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height).cast<float>();
+  const Vec3f right = (2 * camera_.tan_x / width * camera_.right).cast<float>();
+  const Vec3f down = (-2 * camera_.tan_y / height * camera_.up).cast<float>();
 
   Pixel sum;
-  float mottle = -1;
-  for (int group = 0; group < groups; ++group) {
-    const auto first_sample = static_cast<std::uint32_t>(group * RayScene::lanes);
+  Grain grain;
+  for (int group = 0; group < groups_; ++group) {
+    const int first = group * RayScene::lanes;
     Lanes rays;
     RayScene::Hits hits;
-    for (std::uint32_t i = 0; i < rays.size(); ++i) {
-      const Point2f u = lens[first_sample + i];
-      const double px = 2 * (x + 0.5 + tent(u.x)) / width - 1;
-      const double py = 1 - 2 * (y + 0.5 + tent(u.y)) / height;
-      rays[i] = {eye, camera_.ray(px, py).cast<float>(), 0, true};
+    for (int i = 0; i < RayScene::lanes; ++i) {
+      const Point2f offset = samples.lens[first + i];
+      rays[i] = {eye, centre + offset.x * right + offset.y * down, 0, true};
     }
     scene_.intersect(rays, hits);
 
+    const bool object =
+        std::any_of(hits.begin(), hits.end(), [](const Hit& h) { return h.face >= 0; });
+    // The empty floor is smooth: half of the samples will do.
+    const int count = object ? RayScene::lanes : RayScene::lanes / 2;
+    const float weight = static_cast<float>(RayScene::lanes / count);
     Surfaces surfaces;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
+    for (int i = 0; i < count; ++i) {
       Surface& s = surfaces[i];
+      const float footprint = hits[i].distance * down.norm();
       if (hits[i].face < 0) {
-        s.is_floor = s.lit = floor_at(rays[i], s.position);
-        s.normal = s.geometric = studio_.vertical();
-        s.albedo = backdrop(rays[i].direction);
-        if (!s.lit) sum.direct += s.albedo;
-        continue;
-      }
-      const float footprint = hits[i].distance * pixel_angle;
-      if (material_.glass) {
+        s = floor_or_backdrop(rays[i]);
+        if (!s.lit) sum.direct += weight * s.albedo;
+      } else if (material_.glass) {
         sum.direct += through_glass(rays[i], hits[i], footprint);
-        continue;
+      } else {
+        s = surface_at(rays[i], hits[i], footprint);
+        if (!grain.known) grain = grain_at(s.position);
+        s.albedo *= grain.tint;
+        s.normal = (s.normal + grain.tilt - grain.tilt.dot(s.normal) * s.normal).normalized();
       }
-      s = surface_at(rays[i], hits[i], footprint);
-      // The cloudiness is far coarser than a pixel: once is enough.
-      if (mottle < 0) mottle = 1 + material_.mottle * fractal_noise(14 * s.position);
-      s.albedo *= mottle;
     }
-    light(surfaces, lamp_samples, sky_samples, first_sample, sum);
+    light(surfaces, samples, first, count, weight, sum);
   }
 
-  const float scale = 1.0f / static_cast<float>(groups * RayScene::lanes);
+  const float scale = 1.0f / static_cast<float>(groups_ * RayScene::lanes);
   sum.albedo *= scale;
   sum.light *= scale;
   sum.diffuse *= scale;
   sum.direct *= scale;
   sum.normal = sum.normal.stableNormalized();
   sum.position *= scale;
+  sum.floor *= scale;
   return sum;
 }
 

@@ -25,12 +25,12 @@ struct TracedModel {
 
 class Tracer {
  public:
-  /// Keeps references to all but `seed`. With `ground`, a floor lies under the lowest vertex.
+  /// Keeps references to the first four. With `ground`, a floor lies under the lowest vertex.
   Tracer(const TracedModel& model, const Material& material, const Camera& camera,
-         const Studio& studio, bool ground, std::uint64_t seed);
+         const Studio& studio, bool ground, int groups, std::uint64_t seed);
 
-  /// Takes `groups` times sixteen samples of the pixel (x, y), counted from the top left.
-  Pixel trace(int x, int y, int width, int height, int groups) const;
+  /// The pixel (x, y), counted from the top left, from `groups` times sixteen samples.
+  Pixel trace(int x, int y, int width, int height) const;
 
  private:
   using Lanes = std::array<Ray, RayScene::lanes>;
@@ -42,14 +42,21 @@ class Tracer {
     Rgb albedo = Rgb::Zero();
     float coat = 0;  ///< part of the light that the coat mirrors
   };
+  /// Small irregularities of the surface, the same for all samples of a pixel.
+  struct Grain {
+    bool known = false;
+    float tint = 1;
+    Vec3f tilt = Vec3f::Zero();
+  };
   using Surfaces = std::array<Surface, RayScene::lanes>;
 
   Surface surface_at(const Ray& ray, const Hit& hit, float footprint) const;
-  bool floor_at(const Ray& ray, Vec3f& point) const;
+  Surface floor_or_backdrop(const Ray& ray) const;
+  Grain grain_at(const Vec3f& position) const;
   Rgb backdrop(const Vec3f& direction) const;
   Rgb through_glass(const Ray& ray, const Hit& hit, float footprint) const;
-  void light(const Surfaces& surfaces, const SampleSet& lamp_samples, const SampleSet& sky_samples,
-             std::uint32_t first_sample, Pixel& sum) const;
+  void light(const Surfaces& surfaces, const PixelSamples& samples, int first, int count,
+             float weight, Pixel& sum) const;
   float floor_light(const Surface& s, bool lamp_hidden, bool sky_hidden) const;
   Rgb object_light(const Surface& s, const Ray& lamp, bool lamp_hidden, const Ray& sky,
                    bool sky_hidden) const;
@@ -62,7 +69,8 @@ class Tracer {
   RayScene scene_;
   bool has_floor_;
   float floor_height_ = 0;
-  std::uint64_t seed_;
+  int groups_;
+  SampleTable samples_;
 };
 
 }  // namespace craze::render
