@@ -130,6 +130,45 @@ TEST(Repair, DegenerateAndDuplicateFacesGo) {
   EXPECT_NEAR(r.summary.area, 1, 1e-12);
 }
 
+SurfaceMesh two_sided(SurfaceMesh s) {
+  for (std::size_t f = 0, n = s.triangles.size(); f < n; ++f) {
+    const Triangle t = s.triangles[f];
+    s.triangles.push_back({t[0], t[2], t[1]});
+  }
+  return s;
+}
+
+TEST(Repair, ASheetOfTwoSidesBecomesOneLayer) {
+  const Repaired r = repaired(two_sided(bare(make_shape("plate?n=4"))));
+  EXPECT_EQ(r.report.duplicate_faces, 32);
+  EXPECT_NEAR(r.summary.area, 1, 1e-12);
+  EXPECT_EQ(r.summary.components, 1);
+  EXPECT_EQ(r.report.flipped_faces, 0);
+}
+
+TEST(Repair, AFinOfTwoSidesGoesAndTheSolidStaysClosed) {
+  SurfaceMesh s = bare(make_shape("cube?n=2"));
+  const auto faces = static_cast<std::int32_t>(s.triangles.size());
+  const Triangle t = s.triangles[0];
+  s.positions.emplace_back(0, 0, 3);
+  const auto tip = static_cast<std::int32_t>(s.positions.size() - 1);
+  s.triangles.push_back({t[0], t[1], tip});
+  s.triangles.push_back({t[1], t[0], tip});
+  const Repaired r = repaired(s);
+  EXPECT_EQ(r.summary.faces, faces);
+  EXPECT_TRUE(r.summary.closed());
+  EXPECT_EQ(r.report.cut_edges, 0);
+}
+
+TEST(Repair, ALidOfTwoSidesStays) {
+  SurfaceMesh s = bare(make_shape("cube?n=1"));
+  const Triangle t = s.triangles[0];
+  s.triangles.push_back({t[1], t[0], t[2]});
+  const Repaired r = repaired(s);
+  EXPECT_TRUE(r.summary.closed());
+  EXPECT_EQ(r.report.duplicate_faces, 1);
+}
+
 TEST(Repair, UnusedVerticesGo) {
   SurfaceMesh s = bare(make_shape("cube?n=2"));
   s.positions.insert(s.positions.begin(), Vec3(9, 9, 9));
@@ -356,6 +395,8 @@ SurfaceMesh soup(std::uint64_t seed) {
   for (std::uint64_t f = 0; f < faces; ++f) {
     Triangle t;
     for (std::int32_t& v : t) v = static_cast<std::int32_t>(random.below(vertices));
+    std::sort(t.begin(), t.end());  // equal faces face alike: none of them is half of a sheet
+    if (hash_bits(seed ^ (t[0] + 16 * t[1] + 256 * t[2])) % 2) std::swap(t[1], t[2]);
     s.triangles.push_back(t);
     for (int i = 0; i < 3; ++i) {
       const Vec3& p = s.positions[t[i]];

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "craze/base/error.h"
+#include "craze/mesh/duplicate_faces.h"
 #include "craze/mesh/mesh_summary.h"
 #include "craze/mesh/pair_edges.h"
 #include "craze/mesh/surface_source.h"
@@ -110,28 +111,13 @@ class Workpiece {
   }
 
   void drop_faces(double tolerance) {
-    std::vector<std::int32_t> order;
-    std::vector<Triangle> sorted(triangles_.size());
+    std::vector<std::int32_t> sound;
     for (std::size_t f = 0; f < triangles_.size(); ++f) {
-      if (is_degenerate(triangles_[f], tolerance)) {
-        ++report_.degenerate_faces;
-        continue;
-      }
-      sorted[f] = triangles_[f];
-      std::sort(sorted[f].begin(), sorted[f].end());
-      order.push_back(static_cast<std::int32_t>(f));
+      if (!is_degenerate(triangles_[f], tolerance)) sound.push_back(static_cast<std::int32_t>(f));
     }
-    std::sort(order.begin(), order.end(), [&](std::int32_t f, std::int32_t g) {
-      return std::tie(sorted[f], f) < std::tie(sorted[g], g);
-    });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (i > 0 && sorted[order[i]] == sorted[order[i - 1]]) {
-        ++report_.duplicate_faces;
-      } else {
-        source_.faces.push_back(order[i]);
-      }
-    }
-    std::sort(source_.faces.begin(), source_.faces.end());
+    report_.degenerate_faces = static_cast<std::int32_t>(triangles_.size() - sound.size());
+    source_.faces = distinct_faces(triangles_, sound);
+    report_.duplicate_faces = static_cast<std::int32_t>(sound.size() - source_.faces.size());
     std::vector<Triangle> kept;
     for (std::int32_t f : source_.faces) kept.push_back(triangles_[f]);
     triangles_ = std::move(kept);
@@ -219,9 +205,13 @@ class Workpiece {
         if (std::minmax(from(g), to(g)) == std::minmax(from(h), to(h))) same.push_back(h);
       }
       std::vector<char> touched(triangles_.size(), 0);
+      const auto is_touched = [&](std::int32_t g) {  // new faces are
+        const auto f = static_cast<std::size_t>(g / 3);
+        return f >= touched.size() || touched[f] != 0;
+      };
       for (std::int32_t h : same) {
         const std::int32_t o = opposite_[h];
-        if (touched[h / 3] || (o >= 0 && touched[o / 3])) {
+        if (is_touched(h) || (o >= 0 && is_touched(o))) {
           again = true;
           continue;
         }

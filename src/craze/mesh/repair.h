@@ -19,7 +19,8 @@ struct RepairReport {
   std::int32_t merged_vertices = 0;
   std::int32_t unused_vertices = 0;   ///< dropped: no face uses them, or no longer
   std::int32_t degenerate_faces = 0;  ///< dropped: a repeated corner, or no height
-  std::int32_t duplicate_faces = 0;   ///< dropped: the same three corners as an earlier one
+  std::int32_t duplicate_faces = 0;   ///< dropped: the same three corners, or a fin
+                                      ///< of two sides (duplicate_faces.h)
   std::int32_t flipped_faces = 0;
   std::int32_t nonmanifold_edges = 0;  ///< with more than two faces
   std::int32_t cut_edges = 0;          ///< opened: a face too many, or no consistent orientation
