@@ -88,6 +88,7 @@ Anisotropy measure_anisotropy(const CrackGraph& graph, const Vec3& axis,
     return (mean + d - pi * std::round(d / pi)) * 180 / pi;  // the branch nearest to the mean
   });
   if (a.direction.value < 0) a.direction.value += 180;
+  if (a.direction.value >= 180) a.direction.value -= 180;
   double deviation = 0, length = 0;
   for (const Line& p : pieces) {
     const double d = p.angle - mean;

@@ -125,6 +125,7 @@ std::vector<Cell> find_cells(const CrackGraph& graph,
       ++cell.nodes;
       if (sector_left_of[d] < pi - tolerance) ++cell.corners;
     }
+    if (loop.normal.norm() > 1 - 1e-9) cell.curvature = 0;
     if (window && !cell.border) cell.weight = window_weight(loop, *window);
     cell.darts = std::move(darts);
     cells.push_back(std::move(cell));
