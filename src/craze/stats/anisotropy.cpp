@@ -59,8 +59,7 @@ double entropy(const std::vector<Line>& lines, const std::vector<double>& weight
 
 }  // namespace
 
-Anisotropy measure_anisotropy(const CrackGraph& graph, const Vec3& axis,
-                              const Bootstrap& options) {
+Anisotropy measure_anisotropy(const CrackGraph& graph, const Vec3& axis, const Bootstrap& options) {
   std::vector<Line> lines, pieces;
   for (const CrackGraph::Edge& edge : graph.edges()) {
     if (edge.points.empty() || edge.border) continue;

@@ -69,8 +69,7 @@ std::int32_t piece_of(const CrackGraph& graph, const std::vector<Dart>& darts) {
     const CrackGraph::Edge& edge = graph.edges()[d / 2];
     for (std::size_t i = 0; i < edge.segments.size(); ++i) {
       const auto& s = edge.segments[i];
-      length[d & 1 ? s.right_piece : s.left_piece] +=
-          (edge.points[i + 1] - edge.points[i]).norm();
+      length[d & 1 ? s.right_piece : s.left_piece] += (edge.points[i + 1] - edge.points[i]).norm();
     }
   }
   std::int32_t piece = -1;

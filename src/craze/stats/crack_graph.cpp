@@ -49,8 +49,7 @@ void reverse(CrackGraph::Edge& edge) {
 
 /// Crack edges by length, shortest first, ties by index.
 using Shortest = std::priority_queue<std::pair<double, std::int32_t>,
-                                     std::vector<std::pair<double, std::int32_t>>,
-                                     std::greater<>>;
+                                     std::vector<std::pair<double, std::int32_t>>, std::greater<>>;
 
 }  // namespace
 

@@ -28,8 +28,8 @@ Estimate ratio_of(const std::vector<double>& y, const std::vector<double>& x,
     const double d = weight(i) * (y[i] - e.value * x[i]);
     residual += d * d;
   }
-  e.error = std::sqrt(residual * static_cast<double>(n) / static_cast<double>(n - 1)) /
-            std::abs(sum_x);
+  e.error =
+      std::sqrt(residual * static_cast<double>(n) / static_cast<double>(n - 1)) / std::abs(sum_x);
   return e;
 }
 

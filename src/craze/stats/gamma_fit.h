@@ -10,9 +10,9 @@ double digamma(double x);
 double trigamma(double x);
 
 struct AreaLaw {
-  double gamma_shape = 0;       ///< k of the gamma law of greatest likelihood; NaN for equal areas
-  double sd_log = 0;            ///< standard deviation of ln A, σ of the lognormal law
-  double log_likelihood = 0;    ///< gamma's less lognormal's, per cell: positive favours gamma
+  double gamma_shape = 0;     ///< k of the gamma law of greatest likelihood; NaN for equal areas
+  double sd_log = 0;          ///< standard deviation of ln A, σ of the lognormal law
+  double log_likelihood = 0;  ///< gamma's less lognormal's, per cell: positive favours gamma
 };
 
 /// Areas positive, not empty; weights of the same size.

@@ -27,8 +27,9 @@ struct Moments {
     const double l = (b - a).norm();
     length += l;
     first += l / 2 * (a + b);
-    second += l / 6 * (2 * a * a.transpose() + 2 * b * b.transpose() + a * b.transpose() +
-                       b * a.transpose());
+    second +=
+        l / 6 *
+        (2 * a * a.transpose() + 2 * b * b.transpose() + a * b.transpose() + b * a.transpose());
   }
 };
 

@@ -12,15 +12,18 @@ namespace craze {
 enum class NullModel {
   poisson_voronoi,       ///< cells of points placed at random
   orthogonal_splitting,  ///< the largest cell is cut across its longer side, near its middle
-  stit,                  ///< each cell is cut by a random line at a rate proportional to its perimeter
+  stit,  ///< each cell is cut by a random line at a rate proportional to its perimeter
   square,
   hexagonal,
   brick,  ///< running bond, bricks twice as long as high
 };
 
-inline constexpr NullModel all_null_models[] = {
-    NullModel::poisson_voronoi, NullModel::orthogonal_splitting, NullModel::stit,
-    NullModel::square,          NullModel::hexagonal,            NullModel::brick};
+inline constexpr NullModel all_null_models[] = {NullModel::poisson_voronoi,
+                                                NullModel::orthogonal_splitting,
+                                                NullModel::stit,
+                                                NullModel::square,
+                                                NullModel::hexagonal,
+                                                NullModel::brick};
 
 /// "voronoi", "orthogonal", "stit", "square", "hexagonal", "brick".
 std::string_view name(NullModel model);

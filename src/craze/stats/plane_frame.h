@@ -22,6 +22,8 @@ inline Mat32 plane_frame(const Vec3& normal, const Vec3& axis) {
   return frame;
 }
 
-inline Mat32 plane_frame(const Vec3& normal) { return plane_frame(normal, Vec3::UnitX()); }
+inline Mat32 plane_frame(const Vec3& normal) {
+  return plane_frame(normal, Vec3::UnitX());
+}
 
 }  // namespace craze

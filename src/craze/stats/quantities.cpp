@@ -54,6 +54,8 @@ constexpr Quantity table[] = {
 
 }  // namespace
 
-std::span<const Quantity> quantities() { return table; }
+std::span<const Quantity> quantities() {
+  return table;
+}
 
 }  // namespace craze

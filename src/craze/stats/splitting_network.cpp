@@ -88,7 +88,9 @@ class Splitter {
   struct Cut {
     Vec2 start, along;
     std::vector<std::pair<double, std::int32_t>> nodes;  // position along the cut, node
-    void attach(const Vec2& p, std::int32_t node) { nodes.emplace_back(along.dot(p - start), node); }
+    void attach(const Vec2& p, std::int32_t node) {
+      nodes.emplace_back(along.dot(p - start), node);
+    }
   };
   std::vector<Cut> cuts_;
   CrackNetwork network_;

@@ -5,71 +5,18 @@
 #include <numbers>
 
 #include "craze/stats/anisotropy.h"
-#include "craze/stats/border_distance.h"
 #include "craze/stats/cells.h"
-#include "craze/stats/crack_graph.h"
 #include "craze/stats/crack_order.h"
 #include "craze/stats/flaws.h"
 #include "craze/stats/gamma_fit.h"
 #include "craze/stats/junction_angles.h"
+#include "craze/stats/pattern.h"
 
 namespace craze {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double degrees = 180 / pi;
-
-/// What does not depend on the length of simplification.
-struct Scene {
-  const CrackGraphInput& input;
-  const StatisticsOptions& options;
-  std::optional<Window> window;
-  CrackGraph raw;
-  double unit = 0;  ///< √Ā of the graph as given
-  std::vector<BorderSegment> border;
-
-  Scene(const CrackGraphInput& i, const StatisticsOptions& o)
-      : input(i), options(o), window(find_window(i)), raw(i) {
-    for (const GraphInputEdge& e : input.edges) {
-      if (e.border) border.push_back({input.points[e.a], input.points[e.b]});
-    }
-    if (border.empty() && window) {
-      const Vec2 corners[4] = {window->low,
-                               {window->high.x(), window->low.y()},
-                               window->high,
-                               {window->low.x(), window->high.y()}};
-      const Vec3 normal = input.normals[0];
-      const Vec3 height = normal * normal.dot(input.points[0]);
-      for (int k = 0; k < 4; ++k) {
-        border.push_back({window->frame * corners[k] + height,
-                          window->frame * corners[(k + 1) % 4] + height});
-      }
-    }
-    const auto flat = all_sector_angles(raw, {0, 0});
-    unit = std::sqrt(mean_cell_area(find_cells(raw, flat, 0, input.piece_areas, window)));
-    if (unit == 0) unit = without_cells();
-  }
-
-  /// Spacing of a pattern that closes no cell: twice the area over the length, as for squares.
-  double without_cells() const {
-    double length = 0;
-    for (const auto& e : raw.edges()) length += e.border ? 0 : e.length;
-    const double area =
-        input.surface_area > 0 ? input.surface_area : (window ? window->area() : 0.0);
-    return length > 0 ? 2 * area / length : 0;
-  }
-
-  std::vector<char> near_border_nodes(const CrackGraph& graph) const {
-    std::vector<Vec3> positions;
-    for (const auto& n : graph.nodes()) positions.push_back(n.position);
-    std::vector<char> near(positions.size(), 0);
-    if (options.border_margin * unit > 0) {
-      near = near_border(positions, border, options.border_margin * unit);
-    }
-    for (std::size_t n = 0; n < near.size(); ++n) near[n] |= graph.nodes()[n].border;
-    return near;
-  }
-};
 
 void measure_junctions(Statistics& s, const CrackGraph& graph,
                        const std::vector<std::vector<double>>& sectors,
@@ -185,7 +132,8 @@ void measure_areas(Statistics& s, const std::vector<Cell>& cells, const CrackGra
   s.cells = static_cast<std::int64_t>(area.size());
   s.cells_found = static_cast<std::int64_t>(cells.size());
   s.mean_area = mean_of(area, weight);
-  s.root_area = {std::sqrt(s.mean_area.value), s.mean_area.error / std::sqrt(s.mean_area.value) / 2};
+  s.root_area = {std::sqrt(s.mean_area.value),
+                 s.mean_area.error / std::sqrt(s.mean_area.value) / 2};
   std::vector<double> twice = area;
   for (double& a : twice) a *= 2;
   s.area_over_perimeter = ratio_of(twice, perimeter, weight);
@@ -223,18 +171,18 @@ void measure_areas(Statistics& s, const std::vector<Cell>& cells, const CrackGra
   const std::vector<double>& pieces = input.piece_areas.empty() ? area : input.piece_areas;
   double mean = 0;
   for (const double a : pieces) mean += a / static_cast<double>(pieces.size());
-  s.slivers = fraction_of(std::count_if(pieces.begin(), pieces.end(),
-                                        [&](double a) { return a < 0.02 * mean; }),
-                          static_cast<std::int64_t>(pieces.size()));
+  s.slivers = fraction_of(
+      std::count_if(pieces.begin(), pieces.end(), [&](double a) { return a < 0.02 * mean; }),
+      static_cast<std::int64_t>(pieces.size()));
 }
 
 /// Crack length per area in units of 1/√Ā, and the lines between junctions.
 void measure_lines(Statistics& s, const CrackGraph& graph, const CrackGraph& mosaic,
                    const std::vector<char>& counted, const std::vector<Cell>& cells,
-                   const Scene& scene) {
+                   const Pattern& pattern, const StatisticsOptions& o) {
   for (const auto& e : graph.edges()) s.crack_length += e.border ? 0 : e.length;
-  s.surface_area = scene.input.surface_area;
-  if (s.surface_area == 0 && scene.window) s.surface_area = scene.window->area();
+  s.surface_area = pattern.input.surface_area;
+  if (s.surface_area == 0 && pattern.window) s.surface_area = pattern.window->area();
   std::vector<double> weight, half, area;
   for (const Cell& c : cells) {
     if (c.border) continue;
@@ -242,7 +190,7 @@ void measure_lines(Statistics& s, const CrackGraph& graph, const CrackGraph& mos
     half.push_back(c.perimeter / 2);
     area.push_back(c.area);
   }
-  const double unit = std::isnan(s.root_area.value) ? scene.unit : s.root_area.value;
+  const double unit = std::isnan(s.root_area.value) ? pattern.unit : s.root_area.value;
   s.length_per_area = ratio_of(half, area, weight);
   if (s.surface_area > 0) s.length_per_area.value = s.crack_length / s.surface_area;
   s.length_per_area.value *= unit;
@@ -261,31 +209,28 @@ void measure_lines(Statistics& s, const CrackGraph& graph, const CrackGraph& mos
   }
   s.edges = static_cast<std::int64_t>(length.size());
   s.tortuosity = ratio_of(length, chord);
-  s.edge_cv = bootstrap(length.size(), scene.options.bootstrap,
+  s.edge_cv = bootstrap(length.size(), o.bootstrap,
                         [&](const std::vector<double>& w) { return variation(length, w); });
 }
 
-Statistics measure(const Scene& scene, double simplify) {
-  const StatisticsOptions& o = scene.options;
-  const BranchFit fit{o.fit_from * scene.unit, o.fit_to * scene.unit};
+Statistics measure(const Pattern& pattern, double simplify, const StatisticsOptions& o) {
+  const BranchFit fit = pattern.fit();
   const double tolerance = o.tolerance / degrees;
-  CrackGraph graph = scene.raw;
-  graph.prune_spurs(simplify * scene.unit);
-  graph.contract_edges(simplify * scene.unit);
+  const CrackGraph graph = pattern.simplified(simplify);
   CrackGraph mosaic = graph;
   mosaic.remove_dead_ends();
   const auto sectors = all_sector_angles(graph, fit);
   const auto mosaic_sectors = all_sector_angles(mosaic, fit);
   const auto cells =
-      find_cells(mosaic, mosaic_sectors, tolerance, scene.input.piece_areas, scene.window);
-  std::vector<char> counted = scene.near_border_nodes(graph);
+      find_cells(mosaic, mosaic_sectors, tolerance, pattern.input.piece_areas, pattern.window);
+  std::vector<char> counted = pattern.near_border_nodes(graph);
   for (char& c : counted) c = !c;  // nodes keep their index in the mosaic
 
   Statistics s;
   measure_junctions(s, graph, sectors, counted, o);
-  measure_areas(s, cells, scene.input, o);
+  measure_areas(s, cells, pattern.input, o);
   measure_mosaic(s, mosaic, mosaic_sectors, counted, cells, o);
-  measure_lines(s, graph, mosaic, counted, cells, scene);
+  measure_lines(s, graph, mosaic, counted, cells, pattern, o);
   const Anisotropy a = measure_anisotropy(graph, o.axis, o.bootstrap);
   s.anisotropy = a.strength;
   s.anisotropy_null = a.null;
@@ -297,10 +242,10 @@ Statistics measure(const Scene& scene, double simplify) {
   s.kendall_tau = order.kendall_tau;
 
   // A picture without a drawn border cuts cracks off: their ends near its frame are no tips.
-  const bool framed = scene.window && !scene.window->drawn;
-  const std::vector<char> ignored = framed ? scene.near_border_nodes(scene.raw)
-                                           : std::vector<char>(scene.raw.nodes().size(), 0);
-  const Flaws flaws = measure_flaws(scene.raw, scene.unit, ignored);
+  const bool framed = pattern.window && !pattern.window->drawn;
+  const std::vector<char> ignored = framed ? pattern.near_border_nodes(pattern.raw)
+                                           : std::vector<char>(pattern.raw.nodes().size(), 0);
+  const Flaws flaws = measure_flaws(pattern.raw, pattern.unit, ignored);
   s.dead_ends = flaws.dead_ends;
   s.spurs = flaws.spurs;
   s.micro_cracks = flaws.micro_cracks;
@@ -310,17 +255,17 @@ Statistics measure(const Scene& scene, double simplify) {
 }  // namespace
 
 Statistics compute_statistics(const CrackGraphInput& input, const StatisticsOptions& options) {
-  return measure(Scene(input, options), options.simplify);
+  return measure(Pattern(input, options), options.simplify, options);
 }
 
 StatisticsWithSensitivity compute_with_sensitivity(const CrackGraphInput& input,
                                                    const StatisticsOptions& options) {
-  const Scene scene(input, options);
+  const Pattern pattern(input, options);
   StatisticsOptions quick = options;
   quick.bootstrap.resamples = 0;
-  const Scene quick_scene(input, quick);
-  return {measure(scene, options.simplify), measure(quick_scene, options.simplify / 2),
-          measure(quick_scene, options.simplify * 2)};
+  return {measure(pattern, options.simplify, options),
+          measure(pattern, options.simplify / 2, quick),
+          measure(pattern, options.simplify * 2, quick)};
 }
 
 }  // namespace craze

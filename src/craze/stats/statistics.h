@@ -11,12 +11,12 @@ namespace craze {
 
 /// Lengths are in units of √Ā, the root of the mean cell area.
 struct StatisticsOptions {
-  double simplify = 0.05;       ///< spurs shorter than this are pruned, edges contracted
-  double border_margin = 1;     ///< junctions nearer to an open border are left out
-  double fit_from = 0.05;       ///< r₁ of the line fitted to each branch
-  double fit_to = 0.4;          ///< r₂
-  double tolerance = 20;        ///< degrees: what still counts as 180° (T) or 120° (Y)
-  Vec3 axis = Vec3::UnitX();    ///< directions are measured from it
+  double simplify = 0.05;     ///< spurs shorter than this are pruned, edges contracted
+  double border_margin = 1;   ///< junctions nearer to an open border are left out
+  double fit_from = 0.05;     ///< r₁ of the line fitted to each branch
+  double fit_to = 0.4;        ///< r₂
+  double tolerance = 20;      ///< degrees: what still counts as 180° (T) or 120° (Y)
+  Vec3 axis = Vec3::UnitX();  ///< directions are measured from it
   Bootstrap bootstrap = {100, 1};
 };
 
