@@ -7,61 +7,49 @@ namespace craze {
 
 namespace {
 
-// ∫ w over the segment a → b, given relative to the ball's centre. With t measured along the line
-// from the point nearest to the centre, at distance d, w = ((R² − d² − t²)/R²)².
-double weight_on_segment(const Vec3& a, const Vec3& b, double radius) {
-  const double length = (b - a).norm();
-  if (length == 0) return 0;
-  const Vec3 e = (b - a) / length;
-  const double ta = a.dot(e), tb = ta + length;
-  const double m2 = radius * radius - (a - ta * e).squaredNorm();
+// A side of a triangle relative to the ball's centre: the line it lies on, parametrised by length
+// from the point nearest to the centre, and where the side begins and ends on it.
+struct Side {
+  double begin, end;
+  double distance2;  ///< of the line from the centre, squared
+};
+
+Side side(const Vec3& from, const Vec3& unit, double length) {
+  const double begin = from.dot(unit);
+  return {begin, begin + length, std::max(0.0, from.squaredNorm() - begin * begin)};
+}
+
+// R⁴ ∫ w along a side: R⁴ w = (m² − t²)² with m² = R² − distance².
+double weight_along(const Side& s, double radius2) {
+  const double m2 = radius2 - s.distance2;
   if (m2 <= 0) return 0;
-  const double m = std::sqrt(m2), low = std::max(ta, -m), high = std::min(tb, m);
+  const double m = std::sqrt(m2), low = std::max(s.begin, -m), high = std::min(s.end, m);
   if (low >= high) return 0;
   const auto primitive = [m2](double t) {
     const double t2 = t * t;
     return t * (m2 * m2 - t2 * (2.0 / 3 * m2 - t2 / 5));
   };
-  const double r2 = radius * radius;
-  return (primitive(high) - primitive(low)) / (r2 * r2);
+  return primitive(high) - primitive(low);
 }
 
-// ∫ w over a triangle, given relative to the ball's centre; n is its unit normal. Green's theorem
-// around the centre's foot in the plane, at height z: with m² = R² − z² and r the distance from the
-// foot, w = ((m² − r²)/R²)² = G'(r)/r, and ∫ w dA = Σ_edges ∫ G(r) dθ. Along an edge at signed
-// distance D from the foot, dθ = D dt/r²; beyond r = m, G is constant.
-double weight_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n,
-                          double radius) {
-  const double z = a.dot(n), m2 = radius * radius - z * z;
-  if (m2 <= 0) return 0;
-  const double full = m2 * m2 * m2 / 6;
-  double sum = 0;
-  const auto add_edge = [&](const Vec3& p, const Vec3& q) {
-    const double length = (q - p).norm();
-    if (length == 0) return;
-    const Vec3 e = (q - p) / length;
-    const double tp = p.dot(e), tq = tp + length;
-    const double d = p.cross(e).dot(n), d2 = d * d;
-    const auto turn = [&](double s, double t) {
-      if (t > s && d != 0) sum += full * std::atan2(d * (t - s), d2 + s * t);
-    };
-    if (d2 >= m2) return turn(tp, tq);
-    const double k = std::sqrt(m2 - d2), low = std::max(tp, -k), high = std::min(tq, k);
-    if (low >= high) return turn(tp, tq);
-    const double c0 = 0.5 * m2 * (m2 - d2) + d2 * d2 / 6, c1 = (d2 / 3 - 0.5 * m2) / 3;
-    const auto primitive = [&](double t) {
-      const double t2 = t * t;
-      return t * (c0 + t2 * (c1 + t2 / 30));
-    };
-    sum += d * (primitive(high) - primitive(low));
-    turn(tp, low);
-    turn(high, tq);
+// One side's part of R⁴ ∫ w over its triangle. Green's theorem around the centre's foot in the
+// triangle's plane, at height z: with m² = R² − z² and r the distance from the foot, R⁴ w =
+// (m² − r²)² = G'(r)/r, and R⁴ ∫ w dA = Σ_sides ∫ G(r) dθ. Along a side at signed distance D from
+// the foot, dθ = D dt/r²; beyond r = m, G is constant.
+double weight_swept(const Side& s, double d, double m2) {
+  const double d2 = d * d, full = m2 * m2 * m2 / 6;
+  const auto turn = [&](double t0, double t1) {
+    return t1 > t0 && d != 0 ? full * std::atan2(d * (t1 - t0), d2 + t0 * t1) : 0.0;
   };
-  add_edge(a, b);
-  add_edge(b, c);
-  add_edge(c, a);
-  const double r2 = radius * radius;
-  return std::max(0.0, sum / (r2 * r2));
+  if (d2 >= m2) return turn(s.begin, s.end);
+  const double k = std::sqrt(m2 - d2), low = std::max(s.begin, -k), high = std::min(s.end, k);
+  if (low >= high) return turn(s.begin, s.end);
+  const double c0 = 0.5 * m2 * (m2 - d2) + d2 * d2 / 6, c1 = (d2 / 3 - 0.5 * m2) / 3;
+  const auto primitive = [&](double t) {
+    const double t2 = t * t;
+    return t * (c0 + t2 * (c1 + t2 / 30));
+  };
+  return d * (primitive(high) - primitive(low)) + turn(s.begin, low) + turn(high, s.end);
 }
 
 }  // namespace
@@ -69,19 +57,22 @@ double weight_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 NormalCycle::NormalCycle(const TriangleMesh& mesh) : mesh_(mesh) {
   const std::int32_t faces = mesh.face_count();
   normals_.resize(faces);
-  angles_.assign(3 * static_cast<std::size_t>(faces), 0.0);
+  edges_.resize(3 * static_cast<std::size_t>(faces));
   for (std::int32_t f = 0; f < faces; ++f) {
     const Triangle& t = mesh.triangle(f);
     const Vec3& p = mesh.position(t[0]);
     normals_[f] = (mesh.position(t[1]) - p).cross(mesh.position(t[2]) - p).stableNormalized();
   }
   for (std::int32_t h = 0; h < 3 * faces; ++h) {
+    const Vec3 along = mesh.position(mesh.to(h)) - mesh.position(mesh.from(h));
+    Edge& e = edges_[h];
+    e.unit = along.stableNormalized();
+    e.length = along.norm();
     if (mesh.is_open(h)) continue;
-    const Vec3 e = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).stableNormalized();
     const Vec3& n = normals_[TriangleMesh::face_of(h)];
     const Vec3& o = normals_[TriangleMesh::face_of(mesh.opposite(h))];
     if (n.isZero() || o.isZero()) continue;
-    angles_[h] = 0.5 * std::atan2(n.cross(o).dot(e), n.dot(o));
+    e.half_angle = 0.5 * std::atan2(n.cross(o).dot(e.unit), n.dot(o));
   }
 }
 
@@ -97,23 +88,27 @@ CurvatureMeasure NormalCycle::measure(const Vec3& center, double radius,
     scratch.queue.push_back(f);
   };
   for (const std::int32_t f : seeds) meet(f);
+  const double radius2 = radius * radius, scale = 1 / (radius2 * radius2);
   for (std::size_t i = 0; i < scratch.queue.size(); ++i) {
     const std::int32_t f = scratch.queue[i];
-    const Triangle& t = mesh_.triangle(f);
-    const Vec3 p[3] = {mesh_.position(t[0]) - center, mesh_.position(t[1]) - center,
-                       mesh_.position(t[2]) - center};
-    const double area = weight_on_triangle(p[0], p[1], p[2], normals_[f], radius);
-    result.area += area;
-    result.normal += area * normals_[f];
+    const Vec3& n = normals_[f];
+    double swept = 0;
     for (int k = 0; k < 3; ++k) {
-      const std::int32_t o = mesh_.opposite(3 * f + k);
+      const std::int32_t h = 3 * f + k, o = mesh_.opposite(h);
+      const Edge& e = edges_[h];
+      const Vec3 from = mesh_.position(mesh_.from(h)) - center;
+      const Side s = side(from, e.unit, e.length);
+      const double height = from.dot(n), m2 = radius2 - height * height;
+      if (m2 > 0) swept += weight_swept(s, from.cross(e.unit).dot(n), m2);
       if (o < 0) continue;
-      const Vec3 &a = p[k], &b = p[(k + 1) % 3];
-      const double length = weight_on_segment(a, b, radius);
-      if (length == 0) continue;
-      add_outer(result.tensor, angles_[3 * f + k] * length, (b - a).normalized());
+      const double along = weight_along(s, radius2);
+      if (along <= 0) continue;
+      add_outer(result.tensor, e.half_angle * along * scale, e.unit);
       meet(TriangleMesh::face_of(o));
     }
+    const double area = std::max(0.0, swept * scale);
+    result.area += area;
+    result.normal += area * n;
   }
   return result;
 }

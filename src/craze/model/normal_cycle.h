@@ -43,9 +43,15 @@ class NormalCycle {
   const Vec3& face_normal(std::int32_t f) const { return normals_[f]; }
 
  private:
+  /// One side of a face. Each edge is met from both of its sides, so each has half of its angle.
+  struct Edge {
+    Vec3 unit = Vec3::Zero();
+    double length = 0, half_angle = 0;
+  };
+
   const TriangleMesh& mesh_;
-  std::vector<Vec3> normals_;   // #F
-  std::vector<double> angles_;  // 3 #F, half the dihedral angle: each edge is met from both sides
+  std::vector<Vec3> normals_;  // #F
+  std::vector<Edge> edges_;    // 3 #F
 };
 
 }  // namespace craze

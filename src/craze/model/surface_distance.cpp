@@ -76,7 +76,8 @@ SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfacePoint& s
     lower(v, (mesh.position(v) - source.position).norm());
   }
   while (!front.empty()) {
-    const auto [d, v] = front.top();
+    const double d = front.top().first;
+    const std::int32_t v = front.top().second;
     front.pop();
     if (d > distance[v]) continue;
     const Vec3& p = mesh.position(v);

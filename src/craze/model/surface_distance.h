@@ -40,10 +40,10 @@ struct SurfaceDistance {
   std::vector<Vec2> direction;
 };
 
-/// Distances from `source` up to `reach`. Exact on developable surfaces as far as no border stands
-/// in the way, elsewhere within about a per cent. Fronts spread from vertex to vertex, each
-/// triangle unfolding the source behind it as a point [MR12], so long thin triangles do no harm.
-/// Cost: O(#V log #V).
+/// Distances from `source` up to `reach`. Within 10⁻³ on flat and developable surfaces, elsewhere
+/// about 1 % at 8,000 triangles, half of that at four times as many. Fronts spread from vertex to
+/// vertex, each triangle unfolding the source behind it as a point [MR12], so long thin triangles
+/// do no harm. Cost: O(#V log #V).
 SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfacePoint& source,
                                  double reach = 1e300);
 

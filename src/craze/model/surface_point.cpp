@@ -61,7 +61,7 @@ SurfacePoint closest_surface_point(const TriangleMesh& mesh, const Vec3& point,
 
 SurfacePoint require_surface_point(const TriangleMesh& mesh, const Vec3& point, const char* where,
                                    const Context& context) {
-  const SurfacePoint nearest = closest_surface_point(mesh, point, context);
+  SurfacePoint nearest = closest_surface_point(mesh, point, context);
   if (nearest.face < 0) {
     throw Error(ErrorKind::request, "point is not on the surface", where,
                 mesh.face_count() == 0 ? "the mesh is empty" : "it is not finite");
