@@ -152,7 +152,7 @@ TEST(Picture, RefusesWhatCannotBeDrawn) {
   broken.positions[3].y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(render_picture(broken, nullptr, small("clay"), {}), Error);
   CrackLines foreign;
-  foreign.cracks.first = {0, 0};
+  foreign.cracks.first.assign(torus.triangles.size() + 2, 0);
   EXPECT_THROW(render_picture(torus, &foreign, small("clay"), {}), Error);
   EXPECT_THROW(find_material("marble"), Error);
 }

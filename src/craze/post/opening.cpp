@@ -63,12 +63,12 @@ std::int32_t count_folded(const TriangleMesh& mesh, const std::vector<Vec3>& mov
   return folded;
 }
 
-void add_walls(const SideWalls& walls, const CrackSites& sites, OpenedMesh& opened) {
+void add_walls(const SideWalls& walls, OpenedMesh& opened) {
   SurfaceMesh& mesh = opened.mesh;
   mesh.positions.insert(mesh.positions.end(), walls.bottom.begin(), walls.bottom.end());
   mesh.triangles.insert(mesh.triangles.end(), walls.triangles.begin(), walls.triangles.end());
   mesh.face_materials.resize(mesh.triangles.size(), 0);
-  for (const std::int32_t site : walls.site) opened.vertex_of.push_back(sites.vertex[site]);
+  opened.vertex_of.insert(opened.vertex_of.end(), walls.vertex.begin(), walls.vertex.end());
   opened.face_of.resize(mesh.triangles.size(), -1);
 }
 
@@ -93,7 +93,9 @@ OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displa
   std::iota(opened.vertex_of.begin(), opened.vertex_of.end(), 0);
   std::iota(opened.face_of.begin(), opened.face_of.end(), 0);
   opened.folded_faces = count_folded(mesh, opened.mesh.positions);
-  if (options.wall > 0) add_walls(side_walls(mesh, sites, normals, options.wall), sites, opened);
+  if (options.wall > 0) {
+    add_walls(side_walls(mesh, sites, normals, options.wall, options.border_wall), opened);
+  }
   return opened;
 }
 

@@ -33,7 +33,7 @@ LinePainter::LinePainter(const CrackLines& lines, const Vec3& origin, double sca
 
 LineSample LinePainter::at(std::int32_t f, const Vec3f& point, float footprint) const {
   LineSample sample;
-  if (first_.empty()) return sample;
+  if (static_cast<std::size_t>(f) + 1 >= first_.size()) return sample;
   for (std::int32_t i = first_[f]; i < first_[f + 1]; ++i) {
     const Segment& s = segments_[i];
     const Vec3f from_a = point - s.a;

@@ -32,9 +32,10 @@ double line_width(const SurfaceMesh& mesh, const PictureOptions& options);
 /// How far from a crack its line reaches: the distance to bake crack_lines() with.
 double line_reach(const SurfaceMesh& mesh, const PictureOptions& options);
 
-/// Faces in the material slot "crack_wall" take the material's wall colour. `lines` (per face of
-/// `mesh`) may be null. The picture does not depend on the number of threads. Throws
-/// Error(request) for an empty mesh, a mesh that is not finite, or a size out of 1 … 16384.
+/// Faces in the material slot "crack_wall" take the material's wall colour. `lines` may be
+/// null; they belong to the first faces of `mesh`, and faces beyond them, such as walls, have none.
+/// The picture does not depend on the number of threads. Throws Error(request) for an empty mesh, a
+/// mesh that is not finite, or a size out of 1 … 16384.
 Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
                      const PictureOptions& options, const Context& context);
 
