@@ -1,18 +1,20 @@
 #include "craze/io/atomic_file.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 
 #include "craze/base/error.h"
 
 namespace craze {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -60,43 +62,58 @@ int write_directly(const char* path, std::string_view bytes) {
   return ::close(fd) != 0 && code == 0 ? errno : code;
 }
 
-/// What a file made by open(2) would be allowed: the old file's mode, or 0666 less the umask.
-mode_t mode_for(const char* path) {
-  struct stat status {};
-  if (::stat(path, &status) == 0) return status.st_mode & 07777;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
+/// An open file of a name nobody has, in the folder of `path`.
+int create_beside(const fs::path& path, fs::path& temporary) {
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    temporary = path.parent_path() / fmt::format(".craze-{}-{}.tmp", ::getpid(), attempt);
+    const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd >= 0 || errno != EEXIST) return fd;
+  }
+  return -1;
 }
 
-int write_beside(const std::string& path, std::string_view bytes) {
-  std::string temporary = path + ".XXXXXX";
-  const int fd = ::mkostemp(temporary.data(), O_CLOEXEC);
+int write_beside(const fs::path& path, std::string_view bytes) {
+  if (!path.has_filename()) return path.empty() ? ENOENT : EISDIR;
+  fs::path temporary;
+  const int fd = create_beside(path, temporary);
   if (fd < 0) return errno;
   int code = write_all(fd, bytes);
-  if (code == 0 && ::fchmod(fd, mode_for(path.c_str())) != 0) code = errno;
+  struct stat old {};
+  if (code == 0 && ::stat(path.c_str(), &old) == 0 && ::fchmod(fd, old.st_mode & 07777) != 0) {
+    code = errno;
+  }
   if (::close(fd) != 0 && code == 0) code = errno;
   if (code == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) code = errno;
   if (code != 0) ::unlink(temporary.c_str());
   return code;
 }
 
+/// True for names the system lends, such as /dev/stdout: even where a regular file is behind
+/// them, another program holds it open, and replacing it would write past that program.
+bool is_lent(const fs::path& path) {
+  const std::string text = path.string();
+  return text.starts_with("/dev/") || text.starts_with("/proc/");
+}
+
+int write_anywhere(fs::path path, std::string_view bytes) {
+  constexpr int most_links = 40;  // as the kernel allows
+  std::error_code code;
+  for (int links = 0; !is_lent(path) && fs::is_symlink(path, code); ++links) {
+    if (links == most_links) return ELOOP;
+    path = path.parent_path() / fs::read_symlink(path, code);
+    if (code) return code.value();
+  }
+  const fs::file_status status = fs::status(path, code);
+  if (fs::is_directory(status)) return EISDIR;
+  const bool is_special = fs::exists(status) && !fs::is_regular_file(status);
+  return is_lent(path) || is_special ? write_directly(path.c_str(), bytes)
+                                     : write_beside(path, bytes);
+}
+
 }  // namespace
 
-void write_file(const std::filesystem::path& path, std::string_view bytes, const char* what) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  int code = 0;
-  if (std::filesystem::is_directory(status)) {
-    code = EISDIR;
-  } else if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    code = write_directly(path.c_str(), bytes);
-  } else {
-    const bool is_link = std::filesystem::is_symlink(path, ignored);
-    const auto target = is_link ? std::filesystem::weakly_canonical(path, ignored) : path;
-    code = target.empty() ? ELOOP : write_beside(target.string(), bytes);
-  }
-  if (code != 0) {
+void write_file(const fs::path& path, std::string_view bytes, const char* what) {
+  if (const int code = write_anywhere(path, bytes); code != 0) {
     throw Error(ErrorKind::output, what, path.string(), std::generic_category().message(code));
   }
 }

@@ -1,5 +1,7 @@
 #include "craze/io/gltf_accessor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,37 +63,39 @@ double load_component(const char* p, std::size_t type, bool normalized) {
 
 }  // namespace
 
+std::string_view GltfAccessors::source(const std::string& uri) {
+  auto found = sources_.find(uri);
+  if (found != sources_.end()) return found->second;
+  std::string content;
+  if (uri.starts_with("data:")) {
+    const std::size_t comma = uri.find(";base64,");
+    auto decoded =
+        comma == uri.npos ? std::nullopt : decode_base64(std::string_view(uri).substr(comma + 8));
+    if (!decoded) json_.fail("a data URI is not base64");
+    content = std::move(*decoded);
+  } else if (loader_) {
+    content = loader_(uri);
+    loaded_bytes_ += content.size();
+  } else {
+    json_.fail(fmt::format("buffer file '{}' cannot be opened from here", printable(uri)));
+  }
+  return sources_.emplace(uri, std::move(content)).first->second;
+}
+
 std::string_view GltfAccessors::buffer(std::size_t index) {
+  if (const auto known = buffers_.find(index); known != buffers_.end()) return known->second;
   const Json& buffer = json_.item(root_, "buffers", index);
-  const std::string uri = json_.text(buffer, "uri");
   std::string_view bytes = bin_;
-  if (!uri.empty()) {
-    auto found = loaded_.find(uri);
-    if (found == loaded_.end()) {
-      std::string content;
-      if (uri.starts_with("data:")) {
-        const std::size_t comma = uri.find(";base64,");
-        auto decoded = comma == uri.npos ? std::nullopt
-                                         : decode_base64(std::string_view(uri).substr(comma + 8));
-        if (!decoded) json_.fail("a data URI is not base64");
-        content = std::move(*decoded);
-      } else if (loader_) {
-        content = loader_(uri);
-      } else {
-        json_.fail("buffer file '" + printable(uri) + "' cannot be opened from here");
-      }
-      found = loaded_.emplace(uri, std::move(content)).first;
-    }
-    bytes = found->second;
+  if (const std::string uri = json_.text(buffer, "uri"); !uri.empty()) {
+    bytes = source(uri);
   } else if (index != 0 || bin_.empty()) {
-    json_.fail("buffer " + std::to_string(index) + " has no data");
+    json_.fail(fmt::format("buffer {} has no data", index));
   }
   const std::size_t size = json_.index_or(buffer, "byteLength", 0);
   if (size > bytes.size()) {
-    json_.fail("buffer " + std::to_string(index) + " should have " + std::to_string(size) +
-               " bytes but has " + std::to_string(bytes.size()));
+    json_.fail(fmt::format("buffer {} should have {} bytes but has {}", index, size, bytes.size()));
   }
-  return bytes.substr(0, size);
+  return buffers_.emplace(index, bytes.substr(0, size)).first->second;
 }
 
 std::string_view GltfAccessors::view(std::size_t buffer_view) {
@@ -102,7 +106,7 @@ std::string_view GltfAccessors::view(std::size_t buffer_view) {
   const std::size_t offset = json_.index_or(view, "byteOffset", 0);
   const std::size_t size = json_.index_or(view, "byteLength", 0);
   if (offset > bytes.size() || size > bytes.size() - offset) {
-    json_.fail("bufferView " + std::to_string(buffer_view) + " reaches beyond its buffer");
+    json_.fail(fmt::format("bufferView {} reaches beyond its buffer", buffer_view));
   }
   return bytes.substr(offset, size);
 }
@@ -113,28 +117,31 @@ std::size_t GltfAccessors::count(std::size_t accessor) const {
 
 GltfAccessors::Layout GltfAccessors::layout(std::size_t accessor) {
   const Json& json = json_.item(root_, "accessors", accessor);
-  const std::string name = "accessor " + std::to_string(accessor);
-  if (json.contains("sparse")) json_.fail(name + " is sparse, which is not supported");
+  const std::string name = fmt::format("accessor {}", accessor);
+  if (json.contains("sparse"))
+    json_.fail(fmt::format("{} is sparse, which is not supported", name));
   const auto view_index = json_.index(json, "bufferView");
-  if (!view_index) json_.fail(name + " has no bufferView");
+  if (!view_index) json_.fail(fmt::format("{} has no bufferView", name));
   Layout layout;
   layout.count = count(accessor);
   layout.components = component_count(json_.text(json, "type"));
-  if (layout.components == 0) json_.fail(name + " is not of type SCALAR, VEC2, VEC3 or VEC4");
+  if (layout.components == 0)
+    json_.fail(fmt::format("{} is not of type SCALAR, VEC2, VEC3 or VEC4", name));
   layout.component_type = json_.index_or(json, "componentType", 0);
   const std::size_t size = component_size(layout.component_type) * layout.components;
-  if (size == 0) json_.fail(name + " has an unknown componentType");
+  if (size == 0) json_.fail(fmt::format("{} has an unknown componentType", name));
   const auto normalized = json.find("normalized");
   layout.normalized = normalized != json.end() && *normalized == Json(true);
 
   const std::string_view bytes = view(*view_index);
   layout.stride = json_.index_or(root_["bufferViews"][*view_index], "byteStride", size);
-  if (layout.stride < size) json_.fail(name + " has a byteStride smaller than its elements");
+  if (layout.stride < size)
+    json_.fail(fmt::format("{} has a byteStride smaller than its elements", name));
   const std::size_t offset = json_.index_or(json, "byteOffset", 0);
   const bool fits =
       layout.count == 0 || (offset <= bytes.size() && size <= bytes.size() - offset &&
                             layout.count - 1 <= (bytes.size() - offset - size) / layout.stride);
-  if (!fits) json_.fail(name + " reaches beyond its bufferView");
+  if (!fits) json_.fail(fmt::format("{} reaches beyond its bufferView", name));
   if (layout.count > 0) layout.first = bytes.data() + offset;
   return layout;
 }
@@ -149,8 +156,7 @@ GltfAccessors::Values GltfAccessors::read(std::size_t accessor) {
       const char* p = in.first + i * in.stride + k * size;
       out.values.push_back(load_component(p, in.component_type, in.normalized));
       if (!std::isfinite(out.values.back())) {
-        json_.fail("accessor " + std::to_string(accessor) + " element " + std::to_string(i) +
-                   " is not a finite number");
+        json_.fail(fmt::format("accessor {} element {} is not a finite number", accessor, i));
       }
     }
   }
@@ -162,7 +168,7 @@ std::vector<std::uint32_t> GltfAccessors::read_indices(std::size_t accessor) {
   const bool is_unsigned =
       in.component_type == 5121 || in.component_type == 5123 || in.component_type == 5125;
   if (in.components != 1 || !is_unsigned) {
-    json_.fail("accessor " + std::to_string(accessor) + " does not hold indices");
+    json_.fail(fmt::format("accessor {} does not hold indices", accessor));
   }
   std::vector<std::uint32_t> indices;
   indices.reserve(in.count);

@@ -29,8 +29,10 @@ class GltfAccessors {
   Values read(std::size_t accessor);
   /// A scalar accessor of unsigned integers.
   std::vector<std::uint32_t> read_indices(std::size_t accessor);
-  /// Elements of the accessor, without decoding it.
+  /// Elements of the accessor, as it says, without decoding or checking it.
   std::size_t count(std::size_t accessor) const;
+  /// Bytes the loader has brought so far.
+  std::size_t loaded_bytes() const { return loaded_bytes_; }
 
  private:
   struct Layout {
@@ -41,12 +43,15 @@ class GltfAccessors {
   Layout layout(std::size_t accessor);
   std::string_view view(std::size_t buffer_view);
   std::string_view buffer(std::size_t index);
+  std::string_view source(const std::string& uri);
 
   GltfJson json_;
   const Json& root_;
   std::string_view bin_;
   const GltfLoader& loader_;
-  std::map<std::string, std::string> loaded_;  ///< by URI: buffers may share a file
+  std::map<std::string, std::string> sources_;       ///< by URI: buffers may share a file
+  std::map<std::size_t, std::string_view> buffers_;  ///< by index
+  std::size_t loaded_bytes_ = 0;
 };
 
 }  // namespace craze

@@ -1,5 +1,7 @@
 #include "craze/io/gltf_json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +40,7 @@ int nesting(std::string_view text) {
 
 Json parse_json(std::string_view text, const std::string& name) {
   if (nesting(text) > max_depth) {
-    fail_input(name, "its JSON is nested more than " + std::to_string(max_depth) + " deep");
+    fail_input(name, fmt::format("its JSON is nested more than {} deep", max_depth));
   }
   try {
     return Json::parse(text);
@@ -58,18 +60,17 @@ const Json& GltfJson::array(const Json& object, const char* key) const {
   static const Json none = Json::array();
   const auto found = object.find(key);
   if (found == object.end()) return none;
-  if (!found->is_array()) fail(std::string("'") + key + "' is not an array");
+  if (!found->is_array()) fail(fmt::format("'{}' is not an array", key));
   return *found;
 }
 
 const Json& GltfJson::item(const Json& root, const char* list, std::size_t i) const {
   const Json& items = array(root, list);
   if (i >= items.size()) {
-    fail("it asks for item " + std::to_string(i) + " of the " + std::to_string(items.size()) +
-         " in '" + list + "'");
+    fail(fmt::format("it asks for item {} of the {} in '{}'", i, items.size(), list));
   }
   if (!items[i].is_object()) {
-    fail(std::string("'") + list + "' item " + std::to_string(i) + " is not an object");
+    fail(fmt::format("'{}' item {} is not an object", list, i));
   }
   return items[i];
 }
@@ -78,7 +79,7 @@ std::size_t GltfJson::as_index(const Json& value, const char* what) const {
   constexpr double exact = 9007199254740992.0;  // 2⁵³
   const double number = value.is_number() ? value.get<double>() : -1;
   if (!(number >= 0 && number <= exact && number == std::floor(number))) {
-    fail(std::string("'") + what + "' is not a whole number of 0 or more");
+    fail(fmt::format("'{}' is not a whole number of 0 or more", what));
   }
   return static_cast<std::size_t>(number);
 }
@@ -101,11 +102,10 @@ std::string GltfJson::text(const Json& object, const char* key) const {
 bool GltfJson::numbers(const Json& object, const char* key, double* values, std::size_t n) const {
   const Json& list = array(object, key);
   if (list.empty()) return false;
-  if (list.size() != n)
-    fail(std::string("'") + key + "' has not " + std::to_string(n) + " numbers");
+  if (list.size() != n) fail(fmt::format("'{}' has not {} numbers", key, n));
   for (std::size_t i = 0; i < n; ++i) {
     if (!list[i].is_number() || !std::isfinite(list[i].get<double>())) {
-      fail(std::string("'") + key + "' holds something that is not a number");
+      fail(fmt::format("'{}' holds something that is not a number", key));
     }
     values[i] = list[i].get<double>();
   }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <system_error>
 
 #include "craze/io/gltf.h"
@@ -57,7 +59,7 @@ GltfLoader load_from_folder(const fs::path& folder) {
   return [folder](const std::string& uri) {
     const std::string text = decode_percent(uri);
     const auto refuse = [&](const char* why) {
-      fail_input(folder.string(), "buffer file '" + printable(uri) + "' " + why);
+      fail_input(folder.string(), fmt::format("buffer file '{}' {}", printable(uri), why));
     };
     // A colon makes a scheme (file:, http:) or a drive, a backslash another system's path.
     if (text.find_first_of(std::string(":\\\0", 3)) != text.npos || fs::path(text).is_absolute() ||

@@ -1,4 +1,6 @@
 // Format: Wavefront Technologies, "Object Files (.obj)", Advanced Visualizer manual, appendix B1.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <unordered_map>
@@ -95,8 +97,7 @@ class ObjReader {
     const std::int64_t i = text_.leading_integer("a face's index");
     const std::int64_t index = i < 0 ? static_cast<std::int64_t>(count) + i : i - 1;
     if (index < 0 || index >= std::numeric_limits<std::int32_t>::max()) {
-      text_.fail("a face's index " + std::to_string(i) + " is out of range, " +
-                 std::to_string(count) + " are known here");
+      text_.fail(fmt::format("a face's index {} is out of range, {} are known here", i, count));
     }
     return static_cast<std::int32_t>(index);
   }

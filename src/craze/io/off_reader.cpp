@@ -1,4 +1,6 @@
 // Format: The Geometry Center, Geomview manual, section "OFF: (4)(n)OFF".
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "craze/io/input_error.h"
@@ -28,7 +30,7 @@ OffKind read_kind(TextCursor& text) {
   kind.colors = accept("C");
   kind.normals = accept("N");
   if (rest == "4OFF" || rest == "nOFF" || rest == "4nOFF") {
-    text.fail("'" + printable(keyword) + "' is not three-dimensional");
+    text.fail(fmt::format("'{}' is not three-dimensional", printable(keyword)));
   }
   if (rest != "OFF") text.fail("it does not start with 'OFF'");
   TextCursor ahead = text;
@@ -38,11 +40,11 @@ OffKind read_kind(TextCursor& text) {
 
 /// A count, with at least `bytes_each` bytes of the file for each.
 std::size_t read_count(TextCursor& text, const char* what, std::size_t bytes_each) {
-  if (!text.skip_blank()) text.fail(std::string(what) + " is missing");
+  if (!text.skip_blank()) text.fail(fmt::format("{} is missing", what));
   const std::int64_t count = text.integer(what);
-  if (count < 0) text.fail(std::string(what) + " is negative");
+  if (count < 0) text.fail(fmt::format("{} is negative", what));
   if (static_cast<std::size_t>(count) > text.remaining() / bytes_each + 1) {
-    text.fail(std::string(what) + " " + std::to_string(count) + " is more than the file can hold");
+    text.fail(fmt::format("{} {} is more than the file can hold", what, count));
   }
   return static_cast<std::size_t>(count);
 }
@@ -78,8 +80,7 @@ SurfaceMesh read_off(std::string_view bytes, const std::string& name) {
   soup.positions.reserve(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {
     if (!text.skip_blank()) {
-      text.fail("the file ends after " + std::to_string(v) + " of " + std::to_string(vertices) +
-                " vertices");
+      text.fail(fmt::format("the file ends after {} of {} vertices", v, vertices));
     }
     const auto next = [&] { return text.number("a vertex's number"); };
     const double x = next(), y = next();
@@ -107,16 +108,14 @@ SurfaceMesh read_off(std::string_view bytes, const std::string& name) {
   }
   for (std::size_t f = 0; f < faces; ++f) {
     if (!text.skip_blank()) {
-      text.fail("the file ends after " + std::to_string(f) + " of " + std::to_string(faces) +
-                " faces");
+      text.fail(fmt::format("the file ends after {} of {} faces", f, faces));
     }
     const std::int64_t corners = text.integer("a face's number of corners");
     if (corners < 0) text.fail("a face's number of corners is negative");
     for (std::int64_t i = 0; i < corners; ++i) {
       const std::int64_t v = text.integer("a face's index");
       if (v < 0 || static_cast<std::size_t>(v) >= vertices) {
-        text.fail("a face asks for vertex " + std::to_string(v) + " of " +
-                  std::to_string(vertices));
+        text.fail(fmt::format("a face asks for vertex {} of {}", v, vertices));
       }
       const auto index = static_cast<std::int32_t>(v);
       soup.corners.push_back({index, kind.uvs ? index : -1, kind.normals ? index : -1});

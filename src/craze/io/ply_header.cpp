@@ -1,6 +1,8 @@
 // Format: G. Turk, "The PLY Polygon File Format", Stanford University, 1994.
 #include "craze/io/ply_header.h"
 
+#include <fmt/format.h>
+
 #include "craze/io/input_error.h"
 #include "craze/io/text_cursor.h"
 
@@ -22,7 +24,7 @@ PlyType parse_type(TextCursor& text) {
   if (w == "uint" || w == "uint32") return PlyType::uint32;
   if (w == "float" || w == "float32") return PlyType::float32;
   if (w == "double" || w == "float64") return PlyType::float64;
-  text.fail("'" + printable(w) + "' is not a property type");
+  text.fail(fmt::format("'{}' is not a property type", printable(w)));
 }
 
 PlyFormat parse_format(TextCursor& text) {
@@ -31,11 +33,11 @@ PlyFormat parse_format(TextCursor& text) {
   if (w == "ascii") return PlyFormat::ascii;
   if (w == "binary_little_endian") return PlyFormat::binary_little_endian;
   if (w == "binary_big_endian") return PlyFormat::binary_big_endian;
-  text.fail("'" + printable(w) + "' is not a PLY format");
+  text.fail(fmt::format("'{}' is not a PLY format", printable(w)));
 }
 
 std::string parse_name(TextCursor& text, const char* what) {
-  if (!text.more_on_line()) text.fail(std::string(what) + "'s name is missing");
+  if (!text.more_on_line()) text.fail(fmt::format("{}'s name is missing", what));
   return std::string(text.word());
 }
 
@@ -111,7 +113,7 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
       text.more_on_line();
       if (text.word() == "material") header.materials.emplace_back(text.rest_of_line());
     } else if (keyword != "obj_info") {
-      text.fail("'" + printable(keyword) + "' is not a PLY header line");
+      text.fail(fmt::format("'{}' is not a PLY header line", printable(keyword)));
     }
   }
   if (!has_format) text.fail("the header has no format line");

@@ -1,9 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "craze/io/input_error.h"
 #include "craze/io/ply.h"
-#include "craze/io/ply_table.h"
+#include "craze/io/ply_rows.h"
 #include "craze/io/polygon_soup.h"
 
 namespace craze {
@@ -14,93 +16,7 @@ bool is_float(PlyType type) {
   return type == PlyType::float32 || type == PlyType::float64;
 }
 
-/// An element's columns, taken out by name; what is left at the end becomes attributes.
-class Rows {
- public:
-  Rows(const PlyElement& element, std::vector<PlyColumn> columns, const std::string& name)
-      : element_(element), columns_(std::move(columns)), taken_(columns_.size()), name_(name) {
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      for (std::size_t k = 0; k < columns_[i].values.size(); ++k) {
-        if (!std::isfinite(columns_[i].values[k])) fail_value(i, k);
-      }
-    }
-  }
-
-  std::size_t count() const { return element_.count; }
-
-  bool has(const std::string& name, bool list = false) const { return find(name, list) >= 0; }
-  bool has_all(const std::vector<std::string>& names) const {
-    return std::all_of(names.begin(), names.end(), [&](const auto& n) { return has(n); });
-  }
-  PlyType type(const std::string& name) const { return element_.properties[find(name)].type; }
-
-  /// The values of a property that has() is true for.
-  const std::vector<double>& take(const std::string& name) {
-    taken_[find(name)] = true;
-    return columns_[find(name)].values;
-  }
-  const PlyColumn& take_list(const std::string& name) {
-    taken_[find(name, true)] = true;
-    return columns_[find(name, true)];
-  }
-
-  /// The scalars not taken, NAME_0 NAME_1 … as one.
-  std::vector<Attribute> attributes() const {
-    std::vector<Attribute> result;
-    for (std::size_t i = 0; i < columns_.size();) {
-      if (!is_spare(i)) {
-        ++i;
-        continue;
-      }
-      const std::string& first = element_.properties[i].name;
-      std::string stem = first;
-      std::size_t n = 1;
-      if (first.size() > 2 && first.ends_with("_0")) {
-        stem.resize(first.size() - 2);
-        const auto continues = [&](std::size_t k) {
-          return i + k < columns_.size() && is_spare(i + k) &&
-                 element_.properties[i + k].name == stem + "_" + std::to_string(k);
-        };
-        while (continues(n)) ++n;
-      }
-      Attribute a{n == 1 ? first : stem, static_cast<int>(n), {}};
-      a.values.resize(n * count());
-      for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t row = 0; row < count(); ++row) {
-          a.values[n * row + k] = columns_[i + k].values[row];
-        }
-      }
-      result.push_back(std::move(a));
-      i += n;
-    }
-    return result;
-  }
-
- private:
-  std::ptrdiff_t find(const std::string& name, bool list = false) const {
-    for (std::size_t i = 0; i < element_.properties.size(); ++i) {
-      const PlyProperty& p = element_.properties[i];
-      if (p.name == name && p.is_list == list) return static_cast<std::ptrdiff_t>(i);
-    }
-    return -1;
-  }
-  bool is_spare(std::size_t i) const { return !taken_[i] && !element_.properties[i].is_list; }
-
-  [[noreturn]] void fail_value(std::size_t column, std::size_t k) const {
-    const auto& ends = columns_[column].ends;
-    const auto row = ends.empty() ? static_cast<std::ptrdiff_t>(k)
-                                  : std::upper_bound(ends.begin(), ends.end(), k) - ends.begin();
-    fail_input(name_, printable(element_.name) + " " + std::to_string(row) + ": " +
-                          printable(element_.properties[column].name) + " is not a finite number");
-  }
-
-  const PlyElement& element_;
-  std::vector<PlyColumn> columns_;
-  std::vector<bool> taken_;
-  const std::string& name_;
-};
-
-std::vector<Color> take_colors(Rows& rows) {
+std::vector<Color> take_colors(PlyRows& rows) {
   if (!rows.has_all({"red", "green", "blue"})) return {};
   std::vector<Color> colors(rows.count(), Color{1, 1, 1, 1});
   const char* names[] = {"red", "green", "blue", "alpha"};
@@ -135,7 +51,7 @@ class PlyReader {
         body.read(element);
         continue;
       }
-      Rows rows(element, body.read(element), name_);
+      PlyRows rows(element, body.read(element), name_);
       if (element.name == "vertex") {
         read_vertices(rows);
       } else {
@@ -154,7 +70,7 @@ class PlyReader {
   }
 
  private:
-  void read_vertices(Rows& rows) {
+  void read_vertices(PlyRows& rows) {
     if (!soup_.positions.empty()) fail_input(name_, "it has two 'vertex' elements");
     if (!rows.has_all({"x", "y", "z"})) fail_input(name_, "its vertices lack x, y or z");
     const auto &x = rows.take("x"), &y = rows.take("y"), &z = rows.take("z");
@@ -178,7 +94,7 @@ class PlyReader {
     vertex_attributes_ = rows.attributes();
   }
 
-  void read_faces(Rows& rows, const PlyHeader& header) {
+  void read_faces(PlyRows& rows, const PlyHeader& header) {
     if (!soup_.ends.empty()) fail_input(name_, "it has two 'face' elements");
     const char* list = rows.has("vertex_indices", true) ? "vertex_indices" : "vertex_index";
     if (!rows.has(list, true)) fail_input(name_, "its faces lack vertex_indices");
@@ -198,8 +114,8 @@ class PlyReader {
     for (std::size_t f = 0; f < soup_.ends.size(); ++f) {
       const std::size_t numbers = texcoord.ends[f] - begin, corners = soup_.ends[f] - corner;
       if (numbers != 0 && numbers != 2 * corners) {
-        fail_input(name_, "face " + std::to_string(f) + " has " + std::to_string(corners) +
-                              " corners but " + std::to_string(numbers) + " texcoord numbers");
+        fail_input(name_, fmt::format("face {} has {} corners but {} texcoord numbers", f, corners,
+                                      numbers));
       }
       for (std::size_t i = 0; i < numbers / 2; ++i) {
         soup_.corners[corner + i].uv = static_cast<std::int32_t>(soup_.uvs.size());
@@ -215,7 +131,7 @@ class PlyReader {
     for (std::size_t f = 0; f < indices.size(); ++f) {
       const std::int32_t index = indices[f] == -1 ? -1 : to_index(indices[f]);
       if (index < -1 || (index >= 0 && static_cast<std::size_t>(index) >= count)) {
-        fail_input(name_, "face " + std::to_string(f) + " has a material_index out of range");
+        fail_input(name_, fmt::format("face {} has a material_index out of range", f));
       }
       soup_.materials.push_back(index);
     }

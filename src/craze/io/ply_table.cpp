@@ -1,5 +1,7 @@
 #include "craze/io/ply_table.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 
 #include "craze/io/byte_order.h"
@@ -57,8 +59,8 @@ PlyBody::PlyBody(std::string_view bytes, const PlyHeader& header, const std::str
       text_(rest_, name, header.lines + 1) {}
 
 void PlyBody::fail_short(const PlyElement& element) const {
-  fail_input(name_, "it is too short for the " + std::to_string(element.count) + " '" +
-                        printable(element.name) + "' rows its header promises");
+  fail_input(name_, fmt::format("it is too short for the {} '{}' rows its header promises",
+                                element.count, printable(element.name)));
 }
 
 std::vector<PlyColumn> PlyBody::read(const PlyElement& element) {
@@ -145,8 +147,8 @@ void PlyBody::read_lists(const PlyElement& element, std::vector<PlyColumn>& colu
         continue;
       }
       if (value < 0) {
-        fail_input(name_, "'" + printable(element.name) + "' row " + std::to_string(row) +
-                              " has a list of negative length");
+        fail_input(name_, fmt::format("'{}' row {} has a list of negative length",
+                                      printable(element.name), row));
       }
       const auto length = static_cast<std::size_t>(value);
       if (length > rest_.size() / size_of(property.type)) fail_short(element);

@@ -1,5 +1,7 @@
 #include "craze/io/polygon_soup.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <span>
 
@@ -42,10 +44,11 @@ class Triangulator {
       outline_.clear();
       for (const SoupCorner& c : corners) outline_.push_back(soup_.positions[c.vertex]);
       if (!triangulate_polygon(outline_, triples_)) {
-        fail_input(where(polygon), "a face that is not convex has " +
-                                       std::to_string(corners.size()) + " corners, more than " +
-                                       std::to_string(max_concave_corners) +
-                                       "; triangulate it before");
+        fail_input(
+            where(polygon),
+            fmt::format(
+                "a face that is not convex has {} corners, more than {}; triangulate it before",
+                corners.size(), max_concave_corners));
       }
     }
     for (const CornerTriple& t : triples_) {
@@ -80,8 +83,7 @@ class Triangulator {
                                std::size_t count) const {
     // Lines belong to OBJ, which counts from 1.
     const std::int64_t shown = soup_.lines.empty() ? index : std::int64_t{index} + 1;
-    fail_input(where(polygon), std::string("a corner asks for ") + what + " " +
-                                   std::to_string(shown) + " of " + std::to_string(count));
+    fail_input(where(polygon), fmt::format("a corner asks for {} {} of {}", what, shown, count));
   }
 
   void add_corner(const SoupCorner& c) {

@@ -1,5 +1,7 @@
 #include "craze/io/read_mesh.h"
 
+#include <fmt/format.h>
+
 #include "craze/io/gltf.h"
 #include "craze/io/input_error.h"
 #include "craze/io/obj.h"
@@ -25,8 +27,8 @@ SurfaceMesh read_mesh(const std::filesystem::path& path) {
   if (extension == ".obj") return read_obj(bytes, name);
   if (extension == ".stl") return read_stl(bytes, name);
   if (extension == ".off") return read_off(bytes, name);
-  fail_input(name, "'" + printable(extension) +
-                       "' is not a known extension (.obj .ply .stl .off .gltf .glb)");
+  fail_input(name, fmt::format("'{}' is not a known extension (.obj .ply .stl .off .gltf .glb)",
+                               printable(extension)));
 }
 
 }  // namespace craze

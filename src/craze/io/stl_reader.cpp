@@ -1,9 +1,12 @@
 // Format: 3D Systems, "StereoLithography Interface Specification", 1988.
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <numeric>
 #include <tuple>
 
+#include "craze/base/random.h"
 #include "craze/io/byte_order.h"
 #include "craze/io/input_error.h"
 #include "craze/io/polygon_soup.h"
@@ -20,8 +23,7 @@ std::vector<Vec3> read_binary(std::string_view bytes, const std::string& name) {
   const std::size_t triangles = load<std::uint32_t>(bytes.data() + 80);
   const std::size_t held = (bytes.size() - header_size) / triangle_size;
   if (triangles > held) {
-    fail_input(name, "it promises " + std::to_string(triangles) + " triangles but holds " +
-                         std::to_string(held));
+    fail_input(name, fmt::format("it promises {} triangles but holds {}", triangles, held));
   }
   std::vector<Vec3> corners;
   corners.reserve(3 * triangles);
@@ -30,7 +32,7 @@ std::vector<Vec3> read_binary(std::string_view bytes, const std::string& name) {
     for (int i = 0; i < 3; ++i, p += 12) {
       corners.emplace_back(load<float>(p), load<float>(p + 4), load<float>(p + 8));
       if (!corners.back().allFinite()) {
-        fail_input(name, "triangle " + std::to_string(f) + " has a coordinate that is not finite");
+        fail_input(name, fmt::format("triangle {} has a coordinate that is not finite", f));
       }
     }
   }
@@ -53,39 +55,63 @@ std::vector<Vec3> read_ascii(std::string_view bytes, const std::string& name) {
       corners.emplace_back(x, y, text.number("a coordinate"));
       ++in_loop;
     } else if (equal_ignoring_case(word, "endloop")) {
-      if (in_loop != 3) text.fail("a loop has " + std::to_string(in_loop) + " vertices, not 3");
+      if (in_loop != 3) text.fail(fmt::format("a loop has {} vertices, not 3", in_loop));
       in_loop = 0;
     } else if (equal_ignoring_case(word, "solid") || equal_ignoring_case(word, "endsolid") ||
                equal_ignoring_case(word, "facet")) {
       text.skip_line();  // names and normals
     } else if (!equal_ignoring_case(word, "outer") && !equal_ignoring_case(word, "loop") &&
                !equal_ignoring_case(word, "endfacet")) {
-      text.fail("'" + printable(word) + "' is not a word of STL");
+      text.fail(fmt::format("'{}' is not a word of STL", printable(word)));
     }
   }
   if (in_loop != 0) text.fail("the file ends within a facet");
   return corners;
 }
 
-/// Makes one vertex of corners at the same place. Sorting, unlike hashing, cannot be made slow.
-void weld(const std::vector<Vec3>& corners, SurfaceMesh& mesh) {
-  struct Key {
-    double x, y, z;
-    std::int32_t corner;
-  };
-  std::vector<Key> keys;
-  keys.reserve(corners.size());
+std::size_t hash_place(const Vec3& p) {
+  std::uint64_t hash = 0;
+  for (const double x : p)
+    hash = hash_bits(hash ^ std::bit_cast<std::uint64_t>(x + 0.0));  // −0 is 0
+  return hash;
+}
+
+/// The corners in an order that puts those at the same place together, rising among themselves:
+/// scattered into buckets by hash, then sorted within each. No choice of places makes it slow.
+std::vector<std::int32_t> gather_places(const std::vector<Vec3>& corners) {
+  const std::size_t buckets = std::bit_ceil(corners.size() + 1);
+  std::vector<std::size_t> begin(buckets + 1, 0);
+  std::vector<std::uint32_t> bucket;
+  bucket.reserve(corners.size());
   for (const Vec3& p : corners) {
-    keys.push_back({p.x(), p.y(), p.z(), static_cast<std::int32_t>(keys.size())});
+    bucket.push_back(static_cast<std::uint32_t>(hash_place(p) & (buckets - 1)));
+    ++begin[bucket.back() + 1];
   }
-  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return std::tie(a.x, a.y, a.z, a.corner) < std::tie(b.x, b.y, b.z, b.corner);
-  });
+  for (std::size_t b = 0; b < buckets; ++b) begin[b + 1] += begin[b];
+  std::vector<std::int32_t> order(corners.size());
+  std::vector<std::size_t> at = begin;
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    order[at[bucket[c]]++] = static_cast<std::int32_t>(c);
+  }
+  const auto less = [&](std::int32_t a, std::int32_t b) {
+    const Vec3 &p = corners[a], &q = corners[b];
+    return std::tie(p.x(), p.y(), p.z(), a) < std::tie(q.x(), q.y(), q.z(), b);
+  };
+  for (std::size_t b = 0; b < buckets; ++b) {
+    std::sort(order.data() + begin[b], order.data() + begin[b + 1], less);
+  }
+  return order;
+}
+
+/// Makes one vertex of corners at the same place.
+void weld(const std::vector<Vec3>& corners, SurfaceMesh& mesh) {
+  const std::vector<std::int32_t> order = gather_places(corners);
   // Each corner's leader is the first one at its place.
   std::vector<std::int32_t> leader(corners.size()), vertex(corners.size());
-  for (std::size_t i = 0, first = 0; i < keys.size(); ++i) {
-    if (corners[keys[i].corner] != corners[keys[first].corner]) first = i;
-    leader[keys[i].corner] = keys[first].corner;
+  std::int32_t first = order.empty() ? 0 : order[0];
+  for (const std::int32_t c : order) {
+    if (corners[c] != corners[first]) first = c;
+    leader[c] = first;
   }
   mesh.triangles.resize(corners.size() / 3);
   for (std::size_t c = 0; c < corners.size(); ++c) {

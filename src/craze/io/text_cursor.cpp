@@ -1,5 +1,7 @@
 #include "craze/io/text_cursor.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -67,30 +69,30 @@ std::string_view TextCursor::rest_of_line() {
 }
 
 double TextCursor::number(const char* what) {
-  if (!more_on_line()) fail(std::string(what) + " is missing");
+  if (!more_on_line()) fail(fmt::format("{} is missing", what));
   const char* first = *at_ == '+' ? at_ + 1 : at_;
   double value = 0;
   const auto [last, status] = std::from_chars(first, end_, value);
   if (status == std::errc::invalid_argument || !ends_word(last)) {
-    fail(std::string(what) + " '" + printable(word_here()) + "' is not a number");
+    fail(fmt::format("{} '{}' is not a number", what, printable(word_here())));
   }
   if (status == std::errc::result_out_of_range) {
     value = std::strtod(std::string(first, last).c_str(), nullptr);  // ±huge, or tiny: both known
   }
   if (!std::isfinite(value)) {
-    fail(std::string(what) + " '" + printable(word_here()) + "' is not a finite number");
+    fail(fmt::format("{} '{}' is not a finite number", what, printable(word_here())));
   }
   at_ = last;
   return value;
 }
 
 std::int64_t TextCursor::integer(const char* what) {
-  if (!more_on_line()) fail(std::string(what) + " is missing");
+  if (!more_on_line()) fail(fmt::format("{} is missing", what));
   const char* start = at_;
   const std::int64_t value = leading_integer(what);
   if (!ends_word(at_)) {
     at_ = start;
-    fail(std::string(what) + " '" + printable(word_here()) + "' is not a whole number");
+    fail(fmt::format("{} '{}' is not a whole number", what, printable(word_here())));
   }
   return value;
 }
@@ -100,7 +102,7 @@ std::int64_t TextCursor::leading_integer(const char* what) {
   std::int64_t value = 0;
   const auto [last, status] = std::from_chars(first, end_, value);
   if (status != std::errc{}) {
-    fail(std::string(what) + " '" + printable(word_here()) + "' is not a whole number");
+    fail(fmt::format("{} '{}' is not a whole number", what, printable(word_here())));
   }
   at_ = last;
   return value;
