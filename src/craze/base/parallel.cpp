@@ -15,8 +15,13 @@ void parallel_for(int threads, std::size_t n, std::size_t grain,
   const auto run_chunk = [&](std::size_t c) { body(c * grain, std::min(n, (c + 1) * grain)); };
 #ifndef __EMSCRIPTEN__
   if (threads != 1 && chunks > 1) {
-    tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk); });
+    const auto loop = [&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk); };
+    // An arena of its own costs more than most loops: only where fewer threads are asked for.
+    if (threads == 0 || threads >= tbb::this_task_arena::max_concurrency()) {
+      loop();
+    } else {
+      tbb::task_arena(threads).execute(loop);
+    }
     return;
   }
 #endif

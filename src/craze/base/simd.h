@@ -1,0 +1,25 @@
+// Four doubles handled as one: the unit in which the hot loops read and write.
+#pragma once
+
+namespace craze {
+
+/// A 3-vector and one more number, 32-byte aligned. `v` takes arithmetic operators lane by lane; the
+/// compiler lowers it to whatever the machine has, always with the same rounding.
+struct alignas(32) Vec4d {
+  typedef double Lanes __attribute__((vector_size(32)));
+  Lanes v = {0, 0, 0, 0};
+
+  double operator[](int i) const { return v[i]; }
+  double& operator[](int i) { return reinterpret_cast<double*>(this)[i]; }
+};
+
+// Compiles a function twice and picks the wider one at start-up. Without contraction
+// (-ffp-contract=off) both compute the same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_THREAD__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
+#define CRAZE_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define CRAZE_WIDE
+#endif
+
+}  // namespace craze

@@ -1,0 +1,114 @@
+#include "craze/model/crack_network.h"
+
+#include <algorithm>
+
+#include "craze/model/simulation.h"
+
+namespace craze {
+
+namespace {
+
+/// One side of a crack edge: a halfedge of the cut mesh that carries its label.
+struct Side {
+  std::int32_t label;
+  std::int32_t halfedge;
+};
+
+/// Mean displacement of the halfedges of one side, weighted by length.
+struct MeanDisplacement {
+  Vec3 sum = Vec3::Zero();
+  double length = 0;
+  Vec3 mean() const { return length > 0 ? Vec3(sum / length) : Vec3::Zero(); }
+};
+
+}  // namespace
+
+CrackNetwork Simulation::network() const {
+  CrackNetwork network;
+  const std::int32_t halfedges = 3 * mesh_.face_count();
+  std::vector<Side> sides;
+  std::vector<char> on_border(mesh_.vertex_count(), 0);  // by root
+  for (std::int32_t h = 0; h < halfedges; ++h) {
+    if (!mesh_.is_open(h)) continue;
+    if (mesh_.crack_of(h) >= 0) {
+      sides.push_back({mesh_.crack_of(h), h});
+    } else {
+      on_border[mesh_.root(mesh_.from(h))] = on_border[mesh_.root(mesh_.to(h))] = 1;
+    }
+  }
+  std::stable_sort(sides.begin(), sides.end(),
+                   [](const Side& a, const Side& b) { return a.label < b.label; });
+
+  std::vector<std::int32_t> node_of_root(mesh_.vertex_count(), -1);
+  std::vector<std::int32_t> degree;
+  const auto node = [&](std::int32_t root) {
+    if (node_of_root[root] < 0) {
+      node_of_root[root] = static_cast<std::int32_t>(network.nodes.size());
+      network.nodes.push_back({mesh_.position(root), Vec3::Zero(), -1, JunctionKind::bend});
+      degree.push_back(0);
+    }
+    return node_of_root[root];
+  };
+
+  std::vector<std::pair<double, std::int32_t>> along;  // (position on the segment, root)
+  for (std::size_t i = 0; i < sides.size();) {
+    const Segment& segment = segments_[sides[i].label];
+    const std::int32_t a = segment.geometry.from_root, b = segment.geometry.to_root;
+    const Vec3& origin = mesh_.position(a);
+    const Vec3 direction = mesh_.position(b) - origin;
+    along.clear();
+    MeanDisplacement left, right;
+    std::size_t j = i;
+    for (; j < sides.size() && sides[j].label == sides[i].label; ++j) {
+      const std::int32_t from = mesh_.from(sides[j].halfedge), to = mesh_.to(sides[j].halfedge);
+      const Vec3 edge = mesh_.position(to) - mesh_.position(from);
+      MeanDisplacement& side = edge.dot(direction) > 0 ? left : right;
+      side.sum += 0.5 * edge.norm() * (field_.displacement(from) + field_.displacement(to));
+      side.length += edge.norm();
+      for (const std::int32_t v : {from, to}) {
+        along.emplace_back((mesh_.position(v) - origin).dot(direction), mesh_.root(v));
+      }
+    }
+    i = j;
+    std::sort(along.begin(), along.end());
+    along.erase(std::unique(along.begin(), along.end()), along.end());
+    const double width = (left.mean() - right.mean()).norm();
+    for (std::size_t k = 0; k + 1 < along.size(); ++k) {
+      CrackEdge edge;
+      edge.a = node(along[k].second);
+      edge.b = node(along[k + 1].second);
+      edge.time = segment.time;
+      edge.width = width;
+      edge.event = segment.event;
+      edge.face = segment.geometry.source_face;
+      ++degree[edge.a];
+      ++degree[edge.b];
+      network.edges.push_back(edge);
+    }
+  }
+
+  for (std::int32_t f = 0; f < mesh_.face_count(); ++f) {
+    const Triangle& t = mesh_.triangle(f);
+    const Vec3& p = mesh_.position(t[0]);
+    const Vec3 normal = (mesh_.position(t[1]) - p).cross(mesh_.position(t[2]) - p);
+    for (const std::int32_t v : t) {
+      const std::int32_t n = node_of_root[mesh_.root(v)];
+      if (n < 0) continue;
+      network.nodes[n].normal += normal;
+      network.nodes[n].face = mesh_.source_face(f);
+    }
+  }
+  for (std::int32_t root = 0; root < mesh_.vertex_count(); ++root) {
+    const std::int32_t n = node_of_root[root];
+    if (n < 0) continue;
+    CrackNode& crack_node = network.nodes[n];
+    crack_node.normal.normalize();
+    crack_node.kind = on_border[root]  ? JunctionKind::border
+                      : degree[n] == 1 ? JunctionKind::end
+                      : degree[n] == 2 ? JunctionKind::bend
+                                       : JunctionKind::junction;
+  }
+  return network;
+}
+
+}  // namespace craze

@@ -1,0 +1,37 @@
+// [IO06] §3.4, Eq. 2: the separation tensor of a node and its largest eigenvalue.
+#pragma once
+
+#include <cstdint>
+
+#include "craze/base/tensor.h"
+#include "craze/mesh/triangle_mesh.h"
+#include "craze/model/stress_field.h"
+
+namespace craze {
+
+/// The forces of one element on a corner, split by the signs of the principal stresses; force.
+struct SplitForce {
+  Vec3 tensile;      ///< from σ⁺
+  Vec3 compressive;  ///< from σ⁻; the two add up to Eq. 1
+};
+SplitForce split_force(const Element& element, int corner);
+
+/// ς of Eq. 2, force: ½ (−m(f⁺) + Σ m(f⁺ₑ) + m(f⁻) − Σ m(f⁻ₑ)) over the elements e around v, with
+/// m(a) = a aᵀ / |a| (O'Brien & Hodgins 1999), so that |a| is m's eigenvalue.
+/// `bound` is ½ (Σ |f⁺ₑ| + |f⁻|), which no eigenvalue of ς exceeds.
+struct SeparationTensor {
+  Sym3 tensor;
+  double bound = 0;
+};
+SeparationTensor separation_tensor(const TriangleMesh& mesh, const StressField& field,
+                                   std::int32_t v);
+
+/// v⁺ and n̂⁺: the largest eigenvalue of a symmetric tensor and its unit eigenvector, the normal of
+/// the crack plane. The sign of the eigenvector means nothing.
+struct Eigenpair {
+  double value = 0;
+  Vec3 vector = Vec3::Zero();
+};
+Eigenpair largest_eigenpair(const Sym3& tensor);
+
+}  // namespace craze

@@ -1,0 +1,127 @@
+#include "craze/model/stress_field.h"
+
+#include "craze/mesh/tangent_frame.h"
+#include "craze/model/basis_matrix.h"
+
+namespace craze {
+
+namespace {
+
+/// T of the world tensor sigma: T_ab = A b_a·σ b_b, with b_a = Σ_c H_ac e_c the dual of e_a and
+/// A H = √A N.
+void add_components(Element& e, double root_area, const Sym3& sigma) {
+  const Vec3 b1 = root_area * (e.e1[3] * e.edge1() + e.e2[3] * e.edge2());
+  const Vec3 b2 = root_area * (e.e2[3] * e.edge1() + e.t[3] * e.edge2());
+  // b1 and b2 above carry a factor A, so one A is taken out again.
+  const double inverse = root_area > 0 ? 1 / (root_area * root_area) : 0;
+  const Vec3 s1 = sigma * b1, s2 = sigma * b2;
+  e.t[0] += inverse * b1.dot(s1);
+  e.t[1] += inverse * b2.dot(s2);
+  e.t[2] += inverse * b1.dot(s2);
+}
+
+/// Σ T_ab e_a e_bᵀ / A, the mixed term through (e₁ + e₂)(e₁ + e₂)ᵀ.
+Sym3 stress_of(const Element& e, double area) {
+  Sym3 sigma;
+  if (!(area > 0)) return sigma;
+  add_outer(sigma, (e.t[0] - e.t[2]) / area, e.edge1());
+  add_outer(sigma, (e.t[1] - e.t[2]) / area, e.edge2());
+  add_outer(sigma, e.t[2] / area, e.edge1() + e.edge2());
+  return sigma;
+}
+
+}  // namespace
+
+StressField::StressField(const TriangleMesh& mesh, double cap)
+    : cap_(cap),
+      elements_(mesh.face_count()),
+      forces_(mesh.vertex_count()),
+      displacements_(mesh.vertex_count()),
+      node_areas_(mesh.vertex_count(), 0.0) {
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    elements_[f] = make_element(mesh, f);
+    const double third = mesh.area(f) / 3;
+    for (const std::int32_t v : mesh.triangle(f)) node_areas_[v] += third;
+  }
+}
+
+Element StressField::make_element(const TriangleMesh& mesh, std::int32_t f) const {
+  const Triangle& t = mesh.triangle(f);
+  const Vec3 &p0 = mesh.position(t[0]), &p1 = mesh.position(t[1]), &p2 = mesh.position(t[2]);
+  const double area = mesh.area(f);
+  Element e;
+  if (!(area > 0)) return e;  // no area: bears no stress and exerts no force
+  const Mat2 beta = cap_singular_values(basis_matrix(p0, p1, p2), cap_);
+  const Mat32 edges = tangent_frame(p0, p1, p2) * beta.inverse();
+  const Mat2 n = std::sqrt(area) * beta * beta.transpose();
+  e.e1.v = Vec4d::Lanes{edges(0, 0), edges(1, 0), edges(2, 0), n(0, 0)};
+  e.e2.v = Vec4d::Lanes{edges(0, 1), edges(1, 1), edges(2, 1), n(0, 1)};
+  e.t.v = Vec4d::Lanes{0, 0, 0, n(1, 1)};
+  return e;
+}
+
+Sym3 StressField::stress(const TriangleMesh& mesh, std::int32_t f) const {
+  return stress_of(elements_[f], mesh.area(f));
+}
+
+void StressField::add_stress(const TriangleMesh& mesh, std::int32_t f, const Sym3& sigma) {
+  add_components(elements_[f], std::sqrt(mesh.area(f)), sigma);
+}
+
+void StressField::update_force(const TriangleMesh& mesh, std::int32_t v) {
+  Vec3 force = Vec3::Zero();
+  mesh.for_each_outgoing(v, [&](std::int32_t h) { force += element_force(elements_[h / 3], h % 3); });
+  forces_[v].v = Vec4d::Lanes{force.x(), force.y(), force.z(), 0};
+}
+
+void StressField::update_forces(const TriangleMesh& mesh) {
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) update_force(mesh, v);
+}
+
+void StressField::update_node_area(const TriangleMesh& mesh, std::int32_t v) {
+  double area = 0;
+  mesh.for_each_outgoing(v, [&](std::int32_t h) { area += mesh.area(h / 3); });
+  node_areas_[v] = area / 3;
+}
+
+void StressField::follow(const TriangleMesh& mesh, const TriangleMesh::Split& split,
+                         std::int32_t from, std::int32_t to, double t) {
+  Vec4d u;
+  u.v = (1 - t) * displacements_[from].v + t * displacements_[to].v;
+  displacements_.push_back(u);
+  forces_.emplace_back();
+  node_areas_.push_back(0);
+  elements_.resize(mesh.face_count());
+  for (int side = 0; side < 2; ++side) {
+    if (split.face[side] < 0) continue;
+    // The old element still holds the whole parent: σ is its A σ over the area of both halves.
+    const std::int32_t f = split.face[side], half = split.new_face[side];
+    const Sym3 sigma = stress_of(elements_[f], mesh.area(f) + mesh.area(half));
+    for (const std::int32_t child : {f, half}) {
+      elements_[child] = make_element(mesh, child);
+      add_stress(mesh, child, sigma);
+    }
+  }
+  for (int side = 0; side < 2; ++side) {
+    if (split.face[side] < 0) continue;
+    for (const std::int32_t child : {split.face[side], split.new_face[side]}) {
+      for (const std::int32_t v : mesh.triangle(child)) {
+        update_force(mesh, v);
+        update_node_area(mesh, v);
+      }
+    }
+  }
+}
+
+void StressField::follow(const TriangleMesh& mesh, std::int32_t vertex, std::int32_t copy) {
+  if (copy < 0) return;
+  displacements_.push_back(Vec4d(displacements_[vertex]));
+  forces_.emplace_back();
+  node_areas_.push_back(0);
+  for (const std::int32_t v : {vertex, copy}) {
+    update_force(mesh, v);
+    update_node_area(mesh, v);
+  }
+}
+
+}  // namespace craze
