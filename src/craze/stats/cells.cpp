@@ -47,19 +47,21 @@ Loop loop_of(const CrackGraph& graph, const std::vector<Dart>& darts) {
   return loop;
 }
 
-/// Positive for a loop that runs counter-clockwise around its inside.
+/// The area of a loop that runs counter-clockwise around its inside; 0 for any other.
 double fan_area(const Loop& loop) {
   if (loop.normal.norm() < 0.2) return 0;  // runs around the object: no side is a disc
   const std::size_t n = loop.points.size();
   Vec3 centre = Vec3::Zero();
   for (const Vec3& p : loop.points) centre += p;
   centre /= static_cast<double>(n);
-  double area = 0;
+  double area = 0, length = 0;
   for (std::size_t i = 0; i < n; ++i) {
+    length += (loop.points[(i + 1) % n] - loop.points[i]).norm();
     const Vec3 a = (loop.points[i] - centre).cross(loop.points[(i + 1) % n] - centre) / 2;
     area += std::copysign(a.norm(), a.dot(loop.normal));
   }
-  return area;
+  // Around a crack that touches nothing the area is zero up to rounding.
+  return area > 1e-9 * length * length ? area : 0;
 }
 
 /// The piece that lies on the left of most of the loop's length; −1 if not known.

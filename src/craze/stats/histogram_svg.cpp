@@ -59,9 +59,9 @@ std::string histogram_svg(const std::vector<double>& values, const Histogram& la
         "stroke-dasharray=\"4 3\"/>\n",
         x(m), top, height - bottom);
   }
-  const auto ticks = static_cast<int>((layout.high - layout.low) / layout.tick + 1e-9);
+  const auto ticks = static_cast<int>((layout.high - layout.first_tick) / layout.tick + 1e-9);
   for (int k = 0; k <= ticks; ++k) {
-    const double v = layout.low + k * layout.tick;
+    const double v = layout.first_tick + k * layout.tick;
     svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.6g}</text>\n", x(v),
                        height - bottom + 16, v);
   }
@@ -73,18 +73,16 @@ std::string histogram_svg(const std::vector<double>& values, const Histogram& la
 std::string angles_svg(const Statistics& s) {
   return histogram_svg(
       s.samples.angles,
-      {"Angles at junctions of three", "angle, degrees", 0, 240, 48, 30, {90, 120, 180}});
+      {"Angles at junctions of three", "angle, degrees", 0, 240, 48, 0, 30, {90, 120, 180}});
 }
 
 std::string areas_svg(const Statistics& s) {
-  return histogram_svg(s.samples.areas, {"Cell areas", "area over mean area", 0, 4, 40, 0.5, {1}});
+  return histogram_svg(s.samples.areas,
+                       {"Cell areas", "area over mean area", 0, 4, 40, 0, 0.5, {1}});
 }
 
 std::string sides_svg(const Statistics& s) {
-  // Bins centred on whole numbers.
-  std::vector<double> sides = s.samples.sides;
-  for (double& n : sides) n += 0.25;
-  return histogram_svg(sides, {"Sides per cell", "sides", 0, 13, 26, 1, {}});
+  return histogram_svg(s.samples.sides, {"Sides per cell", "sides", 1.5, 12.5, 11, 2, 1, {}});
 }
 
 }  // namespace craze

@@ -13,7 +13,8 @@ struct Histogram {
   std::string title, axis;   ///< what is counted; axis with its unit
   double low = 0, high = 1;  ///< values outside are not shown
   int bins = 20;
-  double tick = 0.2;          ///< distance of the labelled ticks
+  double first_tick = 0;      ///< of the labelled ticks
+  double tick = 0.2;          ///< their distance
   std::vector<double> marks;  ///< values marked by a dashed line
 };
 
