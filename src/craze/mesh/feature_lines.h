@@ -17,7 +17,8 @@ enum FeatureLine : char {
 };
 
 /// 3 #F, one of FeatureLine per halfedge, the same on both sides of an edge. An edge is a crease
-/// where the normals of its faces differ by more than `angle` degrees, and on the border.
+/// where the normals of its faces differ by more than `angle` degrees, and on the border. The
+/// spokes of a pole, where each face has a UV of its own for one and the same vertex, are no seams.
 std::vector<char> feature_lines(const SurfaceMesh& surface, const TriangleMesh& mesh, double angle);
 
 /// #F: the number of the patch each face lies in; patches are parted by halfedges with marks ≥

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
 #include <string>
+#include <tuple>
 
 #include "craze/base/error.h"
 #include "craze/base/parallel.h"
@@ -97,26 +99,56 @@ class Remesher {
     return cross_of(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
   }
 
-  void split(std::int32_t h, const Vec3& at) {
+  std::int32_t split(std::int32_t h, const Vec3& at) {
     const std::int32_t a = mesh_.from(h), b = mesh_.to(h);
-    mesh_.split(h, at);
+    const std::int32_t x = mesh_.split(h, at);
     add_vertex(0.5 * (length_[a] + length_[b]), near_[a]);
     line_error_.back() = std::max(line_error_[a], line_error_[b]);
+    return x;
   }
 
+  struct LongEdge {
+    double ratio;  // of its length to the one wanted
+    std::int32_t h, from, to;
+    bool operator<(const LongEdge& o) const { return std::tie(ratio, h) < std::tie(o.ratio, o.h); }
+  };
+
+  LongEdge measure(std::int32_t h) const {
+    const std::int32_t a = mesh_.from(h), b = mesh_.to(h);
+    return {edge_length(h) / wanted(a, b), h, a, b};
+  }
+
+  // Splits the longest edges first and flips whenever the longest have come down by a third: coarse
+  // faces then fall into well-shaped ones.
   void split_long_edges() {
-    for (bool again = true; again && !context_.is_cancelled();) {
-      again = false;
-      const std::int32_t slots = mesh_.halfedge_slots();
-      for (std::int32_t h = 0; h < slots; ++h) {
+    while (!context_.is_cancelled()) {
+      std::vector<LongEdge> edges;
+      double longest = 0;
+      for (std::int32_t h = 0; h < mesh_.halfedge_slots(); ++h) {
         if (!mesh_.is_edge(h)) continue;
-        const std::int32_t a = mesh_.from(h), b = mesh_.to(h);
-        if (edge_length(h) <= too_long * wanted(a, b)) continue;
-        const double t = 0.5 + 0.16 * (place_.uniform() - 0.5);
-        split(h, (1 - t) * mesh_.position(a) + t * mesh_.position(b));
-        again = true;
+        const LongEdge e = measure(h);
+        longest = std::max(longest, e.ratio);
+        if (e.ratio > too_long) edges.push_back(e);
       }
-      if (again) flip_edges();
+      if (edges.empty()) return;
+      const double limit = std::max(too_long, longest / 1.5);
+      std::priority_queue<LongEdge> queue;
+      const auto add = [&](const LongEdge& e) {
+        if (e.ratio > limit) queue.push(e);
+      };
+      std::for_each(edges.begin(), edges.end(), add);
+      while (!queue.empty()) {
+        const LongEdge e = queue.top();
+        queue.pop();
+        if (mesh_.from(e.h) != e.from || mesh_.to(e.h) != e.to) continue;  // split or moved since
+        const double t = 0.5 + 0.16 * (place_.uniform() - 0.5);
+        const std::int32_t x =
+            split(e.h, (1 - t) * mesh_.position(e.from) + t * mesh_.position(e.to));
+        mesh_.for_each_outgoing(x, [&](std::int32_t h) {
+          for (std::int32_t g = 3 * (h / 3); g < 3 * (h / 3) + 3; ++g) add(measure(g));
+        });
+      }
+      flip_edges();
     }
   }
 
@@ -282,7 +314,7 @@ class Remesher {
       const Vec3 &b = mesh_.position(mesh_.to(h)), &c = mesh_.position(mesh_.apex(h));
       const Vec3 before = face_cross(h / 3), after = cross_of(to, b, c);
       keeps = keeps && after.dot(before) > 0.5 * after.norm() * before.norm() &&
-              after.norm() > std::min(0.1 * (b - c).squaredNorm(), 0.5 * before.norm());
+              after.norm() >= std::min(0.2 * (b - c).squaredNorm(), before.norm());
     });
     return keeps;
   }
@@ -317,8 +349,6 @@ class Remesher {
   // Marks at most one side of the face for splitting: its longest, if anything is too far.
   void check_face(std::int32_t f, std::vector<Move>& middles) const {
     if (!mesh_.is_face(f)) return;
-    const Vec3 normal = face_cross(f).normalized();
-    const Triangle& t = mesh_.triangle(f);
     Vec3 center = Vec3::Zero();
     double length = 0;
     std::int32_t longest = -1;
@@ -329,7 +359,9 @@ class Remesher {
       longest = h;
     }
     if (longest < 0) return;
-    const auto project = [&](const Vec3& p) { return tree_.find(p, {normal, -1, near_[t[0]]}); };
+    const auto project = [&](const Vec3& p) {
+      return tree_.find(p, {Vec3::Zero(), -1, near_[mesh_.triangle(f)[0]]});
+    };
     bool far = project(center).distance > max_distance_;
     Move& move = middles[longest];
     for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
