@@ -27,10 +27,10 @@ struct Later {
 
 /// Unit vector in the plane of the face of h, perpendicular to h and pointing into the face.
 Vec3 into_face(const TriangleMesh& mesh, std::int32_t h, const Vec3& along) {
-  const Vec3 side = mesh.position(mesh.from(mesh.prev(h))) - mesh.position(mesh.from(h));
+  const Vec3 side = mesh.position(mesh.from(TriangleMesh::prev(h))) - mesh.position(mesh.from(h));
   const Vec3 across = side - side.dot(along) * along;
   const double length = across.norm();
-  return length > 1e-12 * side.norm() ? Vec3(across / length) : along.unitOrthogonal();
+  return length > 1e-12 * side.norm() ? Vec3(across / length) : Vec3(along.unitOrthogonal());
 }
 
 class Propagation {

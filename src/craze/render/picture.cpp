@@ -61,6 +61,15 @@ std::vector<std::uint8_t> find_walls(const SurfaceMesh& mesh) {
   return is_wall;
 }
 
+/// The mesh's own normals where it has them.
+std::vector<Vec3f> shading_normals(const SurfaceMesh& mesh, double crease) {
+  if (mesh.corner_normals.size() != 3 * mesh.triangles.size()) return smooth_normals(mesh, crease);
+  std::vector<Vec3f> normals;
+  normals.reserve(mesh.corner_normals.size());
+  for (const Vec3& n : mesh.corner_normals) normals.push_back(n.cast<float>());
+  return normals;
+}
+
 }  // namespace
 
 double line_width(const SurfaceMesh& mesh, const PictureOptions& options) {
@@ -82,7 +91,7 @@ Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
   model.positions.reserve(mesh.positions.size());
   for (const Vec3& p : mesh.positions) model.positions.push_back(scale * (p - box.centre));
   model.triangles = mesh.triangles;
-  model.normals = smooth_normals(mesh, options.crease);
+  model.normals = shading_normals(mesh, options.crease);
   model.is_wall = find_walls(mesh);
   const LinePainter painter(lines ? *lines : CrackLines{}, box.centre, scale,
                             scale * line_width(mesh, options) / 2);

@@ -21,7 +21,7 @@ struct PictureOptions {
   std::optional<Rgb> backdrop;  ///< by default the material's
   bool ground = true;           ///< a floor that catches the shadow
   double line_width = 0;  ///< of a crack line, model units; 0: a fixed part of the mesh's diagonal
-  double crease = 50;     ///< degrees: edges sharper than this are shaded as edges
+  double crease = 50;     ///< degrees: sharper edges are shaded as edges, if normals are not given
   float exposure = 1;
   std::uint64_t seed = 1;
 };
@@ -32,10 +32,11 @@ double line_width(const SurfaceMesh& mesh, const PictureOptions& options);
 /// How far from a crack its line reaches: the distance to bake crack_lines() with.
 double line_reach(const SurfaceMesh& mesh, const PictureOptions& options);
 
-/// Faces in the material slot "crack_wall" take the material's wall colour. `lines` may be
-/// null; they belong to the first faces of `mesh`, and faces beyond them, such as walls, have none.
-/// The picture does not depend on the number of threads. Throws Error(request) for an empty mesh, a
-/// mesh that is not finite, or a size out of 1 … 16384.
+/// Shaded with the mesh's corner normals if it has them. Faces in the material slot "crack_wall"
+/// take the material's wall colour. `lines` may be null; they belong to the first faces of `mesh`,
+/// and faces beyond them, such as walls, have none. The picture does not depend on the number of
+/// threads. Throws Error(request) for an empty mesh, a mesh that is not finite, or a size out of 1
+/// … 16384.
 Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
                      const PictureOptions& options, const Context& context);
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "craze/render/noise.h"
+#include <optional>
 
 namespace craze::render {
 
@@ -15,12 +14,6 @@ constexpr float ray_offset = 2e-5f;
 constexpr float bounce = 0.22f;
 /// Within this distance of the object's centre the floor may be in its shadow.
 constexpr float floor_radius = 2;
-
-/// Schlick's approximation for a clear coat of refractive index 1.5.
-float fresnel(float cosine) {
-  const float m = 1 - std::clamp(cosine, 0.0f, 1.0f), m2 = m * m;
-  return 0.04f + 0.96f * m2 * m2 * m;
-}
 
 Vec3f mirrored(const Vec3f& d, const Vec3f& n) {
   return (d - 2 * d.dot(n) * n).normalized();
@@ -51,43 +44,7 @@ Tracer::Tracer(const TracedModel& model, const Material& material, const Camera&
   floor_height_ = static_cast<float>(lowest - (highest - lowest < 0.02 ? 0.008 : 2e-4));
 }
 
-Tracer::Surface Tracer::surface_at(const Ray& ray, const Hit& hit, float footprint) const {
-  const Triangle& t = model_.triangles[hit.face];
-  const float w0 = 1 - hit.u - hit.v;
-  const Vec3f a = model_.positions[t[0]].cast<float>(), b = model_.positions[t[1]].cast<float>(),
-              c = model_.positions[t[2]].cast<float>();
-  const Vec3f* n = &model_.normals[static_cast<std::size_t>(3) * hit.face];
-
-  Surface s;
-  s.lit = true;
-  s.view = ray.direction.normalized();
-  s.position = w0 * a + hit.u * b + hit.v * c;
-  s.geometric = (b - a).cross(c - a).stableNormalized();
-  if (s.geometric.dot(s.view) > 0) s.geometric = -s.geometric;
-  s.normal = (w0 * n[0] + hit.u * n[1] + hit.v * n[2]).stableNormalized();
-  if (s.normal.dot(s.geometric) < 0) s.normal = -s.normal;
-  if (s.normal.isZero()) s.normal = s.geometric;
-
-  const bool wall = model_.is_wall[hit.face] != 0;
-  s.albedo = wall ? material_.wall : material_.color;
-  s.coat = wall ? 0 : material_.coat;
-  if (model_.lines && !wall) {
-    const LineSample line = model_.lines->at(hit.face, s.position, footprint);
-    const float core = line.core * material_.line_strength;
-    s.albedo *= 1 - line.stain * material_.stain;
-    s.albedo += core * (material_.line - s.albedo);
-    s.coat *= 1 - 0.7f * core;
-    s.normal = (s.normal + material_.groove * line.tilt).normalized();
-  }
-  // A smooth normal may turn away from the eye at the silhouette.
-  const float away = s.normal.dot(s.view);
-  if (away > -0.01f) s.normal = (s.normal - (away + 0.01f) * s.view).normalized();
-  s.coat *= fresnel(-s.normal.dot(s.view));
-  s.albedo *= 1 - s.coat;
-  return s;
-}
-
-Tracer::Surface Tracer::floor_or_backdrop(const Ray& ray) const {
+Surface Tracer::floor_or_backdrop(const Ray& ray) const {
   Surface s;
   s.albedo = backdrop(ray.direction);
   const float descent = ray.direction.dot(studio_.vertical());
@@ -98,20 +55,6 @@ Tracer::Surface Tracer::floor_or_backdrop(const Ray& ray) const {
   // Beyond, the floor is as bright as the backdrop and merges with it.
   s.is_floor = s.lit = t > 0 && s.position.norm() < floor_radius;
   return s;
-}
-
-Tracer::Grain Tracer::grain_at(const Vec3f& position) const {
-  Grain grain{true, 1, Vec3f::Zero()};
-  if (material_.mottle > 0) grain.tint += material_.mottle * fractal_noise(14 * position);
-  if (material_.bump > 0) {
-    const Vec3f p = 34 * position;
-    const float here = fractal_noise(p), step = 0.1f;
-    for (int k = 0; k < 3; ++k) {
-      grain.tilt[k] = here - fractal_noise(p + step * Vec3f::Unit(k));
-    }
-    grain.tilt *= material_.bump / step;
-  }
-  return grain;
 }
 
 Rgb Tracer::backdrop(const Vec3f& direction) const {
@@ -194,19 +137,15 @@ Rgb Tracer::through_glass(const Ray& first_ray, const Hit& first_hit, float foot
   Rgb seen = Rgb::Zero(), clear = Rgb::Ones();
   // Eight layers are more than the eye can tell apart.
   for (int layer = 0; layer < 8 && hit.face >= 0; ++layer) {
-    const Surface s = surface_at(ray, hit, footprint);
+    const Surface s = surface_at(model_, material_, ray, hit, footprint);
     const float cosine = std::max(0.02f, -s.normal.dot(s.view));
     const float mirror = fresnel(cosine);
     const float depth = layer == 0 ? 1.0f : 0.6f;
     seen += depth * mirror * clear * studio_.reflection(mirrored(s.view, s.normal));
     clear *= (1 - mirror) * material_.color.pow(0.6f / std::sqrt(cosine));
 
-    LineSample line;
-    if (model_.is_wall[hit.face]) {
-      line.core = 0.3f;
-    } else if (model_.lines) {
-      line = model_.lines->at(hit.face, s.position, footprint);
-    }
+    LineSample line = line_at(model_, hit, s.position, footprint);
+    if (model_.is_wall[hit.face]) line.core = 0.3f;
     // A crack is a bright plane inside the glass: it scatters light and hides what is behind.
     const float veil =
         std::clamp(material_.line_strength * line.core + material_.stain * line.stain, 0.0f, 1.0f);
@@ -231,7 +170,7 @@ Pixel Tracer::trace(int x, int y, int width, int height) const {
   const Vec3f down = (-2 * camera_.tan_y / height * camera_.up).cast<float>();
 
   Pixel sum;
-  Grain grain;
+  std::optional<Grain> grain;  // the same for all samples: it is far coarser than a pixel
   for (int group = 0; group < groups_; ++group) {
     const int first = group * RayScene::lanes;
     Lanes rays;
@@ -246,7 +185,7 @@ Pixel Tracer::trace(int x, int y, int width, int height) const {
         std::any_of(hits.begin(), hits.end(), [](const Hit& h) { return h.face >= 0; });
     // The empty floor is smooth: half of the samples will do.
     const int count = object ? RayScene::lanes : RayScene::lanes / 2;
-    const float weight = static_cast<float>(RayScene::lanes / count);
+    const float weight = static_cast<float>(RayScene::lanes) / static_cast<float>(count);
     Surfaces surfaces;
     for (int i = 0; i < count; ++i) {
       Surface& s = surfaces[i];
@@ -257,10 +196,10 @@ Pixel Tracer::trace(int x, int y, int width, int height) const {
       } else if (material_.glass) {
         sum.direct += through_glass(rays[i], hits[i], footprint);
       } else {
-        s = surface_at(rays[i], hits[i], footprint);
-        if (!grain.known) grain = grain_at(s.position);
-        s.albedo *= grain.tint;
-        s.normal = (s.normal + grain.tilt - grain.tilt.dot(s.normal) * s.normal).normalized();
+        s = surface_at(model_, material_, rays[i], hits[i], footprint);
+        if (!grain) grain = grain_at(material_, s.position);
+        s.albedo *= grain->tint;
+        s.normal = (s.normal + grain->tilt - grain->tilt.dot(s.normal) * s.normal).normalized();
       }
     }
     light(surfaces, samples, first, count, weight, sum);

@@ -1,27 +1,17 @@
 // Light at a pixel.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <vector>
 
-#include "craze/mesh/surface_mesh.h"
-#include "craze/render/crack_lines.h"
 #include "craze/render/film.h"
 #include "craze/render/material.h"
 #include "craze/render/ray_scene.h"
 #include "craze/render/sampling.h"
 #include "craze/render/studio.h"
+#include "craze/render/surface.h"
 
 namespace craze::render {
-
-/// What is drawn, in render units: near the origin and of unit size.
-struct TracedModel {
-  std::vector<Vec3> positions;
-  std::vector<Triangle> triangles;
-  std::vector<Vec3f> normals;         ///< 3 #F
-  std::vector<std::uint8_t> is_wall;  ///< #F
-  const LinePainter* lines = nullptr;
-};
 
 class Tracer {
  public:
@@ -34,25 +24,9 @@ class Tracer {
 
  private:
   using Lanes = std::array<Ray, RayScene::lanes>;
-  /// A lit point of the object or the floor.
-  struct Surface {
-    bool lit = false, is_floor = false;
-    Vec3f position = Vec3f::Zero(), geometric = Vec3f::UnitZ(), normal = Vec3f::UnitZ();
-    Vec3f view = Vec3f::UnitZ();  ///< unit, from the eye
-    Rgb albedo = Rgb::Zero();
-    float coat = 0;  ///< part of the light that the coat mirrors
-  };
-  /// Small irregularities of the surface, the same for all samples of a pixel.
-  struct Grain {
-    bool known = false;
-    float tint = 1;
-    Vec3f tilt = Vec3f::Zero();
-  };
   using Surfaces = std::array<Surface, RayScene::lanes>;
 
-  Surface surface_at(const Ray& ray, const Hit& hit, float footprint) const;
   Surface floor_or_backdrop(const Ray& ray) const;
-  Grain grain_at(const Vec3f& position) const;
   Rgb backdrop(const Vec3f& direction) const;
   Rgb through_glass(const Ray& ray, const Hit& hit, float footprint) const;
   void light(const Surfaces& surfaces, const PixelSamples& samples, int first, int count,
