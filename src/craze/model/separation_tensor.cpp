@@ -1,6 +1,6 @@
 #include "craze/model/separation_tensor.h"
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
 
 namespace craze {
 
@@ -57,12 +57,6 @@ SeparationTensor separation_tensor(const TriangleMesh& mesh, const StressField& 
   add_m(sum, -1, tensile);
   add_m(sum, 1, compressive);
   return {0.5 * sum, 0.5 * (lengths + compressive.norm())};
-}
-
-Eigenpair largest_eigenpair(const Sym3& tensor) {
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  solver.computeDirect(tensor.matrix());
-  return {solver.eigenvalues()[2], solver.eigenvectors().col(2)};
 }
 
 }  // namespace craze
