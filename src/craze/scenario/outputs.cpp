@@ -36,9 +36,9 @@ SurfaceMesh shown_surface(const SurfaceMesh& cut_surface, const Simulation& simu
   const PostParameters& post = recipe.post;
   if (post.gap == 0 && post.wall == 0 && post.curl == 0) return cut_surface;
   const TriangleMesh& mesh = simulation.mesh();
-  std::vector<Vec3> displacement;
+  std::vector<Vec3> displacement(static_cast<std::size_t>(mesh.vertex_count()));
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    displacement.push_back(simulation.field().displacement(v));
+    displacement[v] = simulation.field().displacement(v);
   }
   OpeningOptions options;
   options.gap = post.gap;
