@@ -22,7 +22,10 @@ namespace {
 
 constexpr std::size_t grain = 512;
 constexpr double too_long = 4.0 / 3, too_short = 4.0 / 5;  // of the length wanted
-constexpr double variation = 0.15;                         // of the length wanted, seeded
+// Lengths between the two thresholds come out a little shorter than wanted: measured on flat and
+// round shapes, their mean is 1/1.055 of it.
+constexpr double centre_of_band = 1.055;
+constexpr double variation = 0.15;       // of the length wanted, seeded
 constexpr double shake = 0.3;            // of that length: the first round's random displacement
 constexpr double seam_tolerance = 1e-6;  // of that length: how straight a seam is to be thinned
 constexpr double most_faces = 50e6;
@@ -85,7 +88,7 @@ class Remesher {
   void add_vertex(double length, std::int32_t near_face) {
     const double u = variation_.uniform_at(wanted_.size());
     length_.push_back(length);
-    wanted_.push_back(length * (1 + variation * (2 * u - 1)));
+    wanted_.push_back(centre_of_band * length * (1 + variation * (2 * u - 1)));
     near_.push_back(near_face);
     line_error_.push_back(0);
   }
@@ -319,59 +322,72 @@ class Remesher {
     return keeps;
   }
 
-  // Splits edges whose middle, or that of a face beside them, lies too far from the input.
+  // Splits faces whose middle, or that of an edge, lies too far from the input.
   void approach_input() {
     const int rounds = 20;
+    std::vector<Triangle> sound;  // the corners of a slot's face when it was last found near enough
     for (int round = 0; round < rounds && !context_.is_cancelled(); ++round) {
-      std::vector<Move> middles(mesh_.halfedge_slots());
-      parallel_for(context_.threads, mesh_.face_slots(), grain,
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t f = begin; f < end; ++f) {
-                       check_face(static_cast<std::int32_t>(f), middles);
-                     }
-                   });
+      sound.resize(mesh_.face_slots(), {-1, -1, -1});
+      std::vector<std::int32_t> to_split(sound.size(), -1);
+      parallel_for(context_.threads, sound.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t slot = begin; slot < end; ++slot) {
+          const auto f = static_cast<std::int32_t>(slot);
+          if (sound[f] == mesh_.triangle(f)) continue;
+          if (is_near(f)) {
+            sound[f] = mesh_.triangle(f);
+          } else {
+            to_split[f] = longest_free_side(f);
+          }
+        }
+      });
       bool again = false;
-      std::vector<char> touched(mesh_.face_slots(), 0);  // its sides are no longer those checked
-      for (std::int32_t h = 0; h < static_cast<std::int32_t>(middles.size()); ++h) {
-        if (!middles[h].wanted) continue;
+      std::vector<char> touched(sound.size(), 0);  // its sides are no longer those looked at
+      for (const std::int32_t h : to_split) {
+        if (h < 0) continue;
         again = true;
-        const std::int32_t o = mesh_.opposite(h);
+        const std::int32_t o = mesh_.opposite(h);  // a free edge has two sides
         const bool beside_new = 3 * touched.size() <= static_cast<std::size_t>(o);
         if (beside_new || touched[h / 3] || touched[o / 3]) continue;
         touched[h / 3] = touched[o / 3] = 1;
-        split(h, middles[h].to);
+        split(h, tree_.find(middle_of(h), near(h)).point);
       }
       if (!again) return;
       flip_edges();
     }
   }
 
-  // Marks at most one side of the face for splitting: its longest, if anything is too far.
-  void check_face(std::int32_t f, std::vector<Move>& middles) const {
-    if (!mesh_.is_face(f)) return;
-    Vec3 center = Vec3::Zero();
-    double length = 0;
-    std::int32_t longest = -1;
+  Vec3 middle_of(std::int32_t h) const {
+    return 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
+  }
+  ClosestPoint::Filter near(std::int32_t h) const {
+    return {Vec3::Zero(), -1, near_[mesh_.from(h)]};
+  }
+
+  bool is_near(std::int32_t f) const {
+    const auto within = [&](const Vec3& p, std::int32_t h) {
+      ClosestPoint::Filter filter = near(h);
+      filter.enough = max_distance_;
+      return tree_.find(p, filter).distance <= max_distance_;
+    };
+    const Triangle& t = mesh_.triangle(f);
+    const Vec3 sum = mesh_.position(t[0]) + mesh_.position(t[1]) + mesh_.position(t[2]);
+    if (!within(sum / 3, 3 * f)) return false;
     for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-      center += mesh_.position(mesh_.from(h)) / 3;
+      if (mesh_.is_edge(h) && mesh_.mark(h) == no_feature && !within(middle_of(h), h)) return false;
+    }
+    return true;
+  }
+
+  // −1 if all sides lie on kept lines.
+  std::int32_t longest_free_side(std::int32_t f) const {
+    std::int32_t longest = -1;
+    double length = 0;
+    for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
       if (mesh_.mark(h) != no_feature || edge_length(h) <= length) continue;
       length = edge_length(h);
       longest = h;
     }
-    if (longest < 0) return;
-    const auto project = [&](const Vec3& p) {
-      return tree_.find(p, {Vec3::Zero(), -1, near_[mesh_.triangle(f)[0]]});
-    };
-    bool far = project(center).distance > max_distance_;
-    Move& move = middles[longest];
-    for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-      if (mesh_.mark(h) != no_feature) continue;
-      const Vec3 middle = 0.5 * (mesh_.position(mesh_.from(h)) + mesh_.position(mesh_.to(h)));
-      const ClosestPoint::Hit hit = project(middle);
-      far = far || hit.distance > max_distance_;
-      if (h == longest) move.to = hit.face >= 0 ? hit.point : middle;
-    }
-    move.wanted = far;
+    return longest;
   }
 
   const SurfaceMesh& input_;
