@@ -1,5 +1,6 @@
 #include "craze/io/atomic_file.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -101,7 +102,7 @@ TEST(AtomicFile, AClosedPipeIsAnErrorAndNotASignal) {
   ASSERT_EQ(::pipe(ends), 0);
   ::close(ends[0]);
   const std::string message =
-      message_of([&] { write_file("/dev/fd/" + std::to_string(ends[1]), "x"); }, ErrorKind::output);
+      message_of([&] { write_file(fmt::format("/dev/fd/{}", ends[1]), "x"); }, ErrorKind::output);
   ::close(ends[1]);
   EXPECT_NE(message.find("Broken pipe"), std::string::npos) << message;
 }

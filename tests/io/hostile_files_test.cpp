@@ -53,7 +53,7 @@ std::string comb_obj(int teeth) {
   std::string text;
   for (int i = 0; i < teeth; ++i) text += fmt::format("v {} {} 0\n", i, i % 2);
   text += "v 0 9 0\nf";
-  for (int i = 1; i <= teeth + 1; ++i) text += " " + std::to_string(i);
+  for (int i = 1; i <= teeth + 1; ++i) text += fmt::format(" {}", i);
   return text + "\n";
 }
 
@@ -89,7 +89,7 @@ std::string many_instances(int nodes) {
 
 std::string many_attributes(std::size_t count) {
   std::string attributes = R"("POSITION":0)";
-  for (std::size_t i = 0; i < count; ++i) attributes += ",\"_A" + std::to_string(i) + "\":0";
+  for (std::size_t i = 0; i < count; ++i) attributes += fmt::format(",\"_A{}\":0", i);
   const std::string data = repeat("AAAA", 30000);
   return gltf(R"("meshes":[{"primitives":[{"attributes":{)" + attributes +
               R"(}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":7500,)"
