@@ -336,30 +336,34 @@ class Remesher {
     return keeps;
   }
 
-  // Puts the free vertices that smoothing left beside the input back onto it. True if any moved.
-  bool pull_vertices() {
+  // Puts the free vertices that smoothing left beside the input back onto it. Returns those that
+  // moved.
+  std::vector<std::int32_t> pull_vertices() {
     std::vector<Move> moves(mesh_.vertex_count());
+    const double enough = 1e-3 * max_distance_;
     parallel_for(context_.threads, moves.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto v = static_cast<std::int32_t>(i);
         if (!mesh_.is_vertex(v) || mesh_.count_marked(v) > 0) continue;
-        const auto hit = tree_.find(mesh_.position(v), {Vec3::Zero(), -1, near_[v]});
+        const auto hit = tree_.find(mesh_.position(v), {Vec3::Zero(), -1, near_[v], enough});
         moves[v].to = hit.point;
-        moves[v].wanted = hit.distance > 1e-3 * max_distance_;
+        moves[v].face = hit.face;
+        moves[v].wanted = hit.distance > enough;
       }
     });
-    bool moved = false;
+    std::vector<std::int32_t> moved;
     for (std::int32_t v = 0; v < static_cast<std::int32_t>(moves.size()); ++v) {
+      if (moves[v].face >= 0) near_[v] = moves[v].face;
       if (!moves[v].wanted || !keeps_star(v, moves[v].to, 0.1)) continue;
       mesh_.move(v, moves[v].to);
-      moved = true;
+      moved.push_back(v);
     }
     return moved;
   }
 
   // Splits faces whose middle, or that of an edge, lies too far from the input.
   void approach_input() {
-    const int rounds = 20;
+    const int rounds = 10;
     std::vector<Triangle> sound;  // the corners of a slot's face when it was last found near enough
     for (int round = 0; round < rounds && !context_.is_cancelled(); ++round) {
       sound.resize(mesh_.face_slots(), {-1, -1, -1});
@@ -395,7 +399,11 @@ class Remesher {
       }
       if (!again) return;
       flip_edges();
-      if (pull_vertices()) sound.clear();
+      for (const std::int32_t v : pull_vertices()) {
+        mesh_.for_each_outgoing(v, [&](std::int32_t h) {
+          if (static_cast<std::size_t>(h / 3) < sound.size()) sound[h / 3] = {-1, -1, -1};
+        });
+      }
     }
   }
 
