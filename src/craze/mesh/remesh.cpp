@@ -28,6 +28,8 @@ constexpr double centre_of_band = 1.055;
 constexpr double variation = 0.15;       // of the length wanted, seeded
 constexpr double shake = 0.3;            // of that length: the first round's random displacement
 constexpr double seam_tolerance = 1e-6;  // of that length: how straight a seam is to be thinned
+constexpr double shortest_to_halve =
+    0.4;  // of that length: where the middle is no point of the input
 constexpr double most_faces = 50e6;
 
 Vec3 cross_of(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -45,11 +47,12 @@ class Remesher {
         place_(options.seed, 2),
         shaking_(options.seed, 3),
         max_distance_(options.max_distance > 0 ? options.max_distance : 0.1 * options.target_edge),
-        marks_(feature_lines(input, topology, options.feature_angle)),
+        lengths_(edge_length_field(topology, options.target_edge, options.coarsen)),
+        marks_(without_short_creases(
+            topology, feature_lines(input, topology, options.feature_angle), lengths_)),
         patch_(patches(topology.face_count(), marks_, seam,
                        [&](std::int32_t h) { return topology.opposite(h); })),
         tree_(input_.positions, input_.triangles, patch_),
-        lengths_(edge_length_field(topology, options.target_edge, options.coarsen)),
         mesh_(input.positions, input.triangles, marks_) {
     refuse_too_many(topology);
     for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
@@ -66,7 +69,10 @@ class Remesher {
       smooth(round == 0 ? shake : 0);
       flip_edges();
     }
-    if (!context_.is_cancelled()) approach_input();
+    if (!context_.is_cancelled()) {
+      pull_vertices();
+      approach_input();
+    }
     return transfer_attributes({input_, patch_, tree_}, mesh_, context_.threads);
   }
 
@@ -271,11 +277,18 @@ class Remesher {
     });
     for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
       const Move& m = moves[v];
-      if (!m.wanted || !keeps_star(v, m.to)) continue;
-      mesh_.move(v, m.to);
-      near_[v] = m.face;
-      wanted_[v] *= m.length / length_[v];
-      length_[v] = m.length;
+      if (!m.wanted) continue;
+      // A part of the way where all of it would fold the star.
+      const Vec3 from = mesh_.position(v);
+      for (const double part : {1.0, 0.5, 0.25}) {
+        const Vec3 to = from + part * (m.to - from);
+        if (!keeps_star(v, to, 0.5)) continue;
+        mesh_.move(v, to);
+        near_[v] = m.face;
+        wanted_[v] *= m.length / length_[v];
+        length_[v] = m.length;
+        break;
+      }
     }
   }
 
@@ -311,20 +324,46 @@ class Remesher {
     return move;
   }
 
-  bool keeps_star(std::int32_t v, const Vec3& to) const {
+  // least: the cosine of the largest turn of a face.
+  bool keeps_star(std::int32_t v, const Vec3& to, double least) const {
     bool keeps = true;
     mesh_.for_each_outgoing(v, [&](std::int32_t h) {
       const Vec3 &b = mesh_.position(mesh_.to(h)), &c = mesh_.position(mesh_.apex(h));
       const Vec3 before = face_cross(h / 3), after = cross_of(to, b, c);
-      keeps = keeps && after.dot(before) > 0.5 * after.norm() * before.norm() &&
+      keeps = keeps && after.dot(before) > least * after.norm() * before.norm() &&
               after.norm() >= std::min(0.2 * (b - c).squaredNorm(), before.norm());
     });
     return keeps;
   }
 
+  // Puts the free vertices that smoothing left beside the input back onto it. Returns those that
+  // moved.
+  std::vector<std::int32_t> pull_vertices() {
+    std::vector<Move> moves(mesh_.vertex_count());
+    const double enough = 1e-3 * max_distance_;
+    parallel_for(context_.threads, moves.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto v = static_cast<std::int32_t>(i);
+        if (!mesh_.is_vertex(v) || mesh_.count_marked(v) > 0) continue;
+        const auto hit = tree_.find(mesh_.position(v), {Vec3::Zero(), -1, near_[v], enough});
+        moves[v].to = hit.point;
+        moves[v].face = hit.face;
+        moves[v].wanted = hit.distance > enough;
+      }
+    });
+    std::vector<std::int32_t> moved;
+    for (std::int32_t v = 0; v < static_cast<std::int32_t>(moves.size()); ++v) {
+      if (moves[v].face >= 0) near_[v] = moves[v].face;
+      if (!moves[v].wanted || !keeps_star(v, moves[v].to, 0.1)) continue;
+      mesh_.move(v, moves[v].to);
+      moved.push_back(v);
+    }
+    return moved;
+  }
+
   // Splits faces whose middle, or that of an edge, lies too far from the input.
   void approach_input() {
-    const int rounds = 20;
+    const int rounds = 10;
     std::vector<Triangle> sound;  // the corners of a slot's face when it was last found near enough
     for (int round = 0; round < rounds && !context_.is_cancelled(); ++round) {
       sound.resize(mesh_.face_slots(), {-1, -1, -1});
@@ -349,11 +388,39 @@ class Remesher {
         const bool beside_new = 3 * touched.size() <= static_cast<std::size_t>(o);
         if (beside_new || touched[h / 3] || touched[o / 3]) continue;
         touched[h / 3] = touched[o / 3] = 1;
-        split(h, tree_.find(middle_of(h), near(h)).point);
+        const Vec3 nearest = tree_.find(middle_of(h), near(h)).point;
+        if (suits_split(h, nearest)) {
+          split(h, nearest);
+        } else if (edge_length(h) > shortest_to_halve * wanted(mesh_.from(h), mesh_.to(h))) {
+          split(h, middle_of(h));
+        } else {
+          sound[h / 3] = mesh_.triangle(h / 3);  // a fold that more vertices would not open
+        }
       }
       if (!again) return;
       flip_edges();
+      for (const std::int32_t v : pull_vertices()) {
+        mesh_.for_each_outgoing(v, [&](std::int32_t h) {
+          if (static_cast<std::size_t>(h / 3) < sound.size()) sound[h / 3] = {-1, -1, -1};
+        });
+      }
     }
+  }
+
+  // True if the four faces that a vertex at p makes of the two beside h stand as these do.
+  bool suits_split(std::int32_t h, const Vec3& p) const {
+    for (const std::int32_t g : {h, mesh_.opposite(h)}) {
+      const Vec3 &a = mesh_.position(mesh_.from(g)), &b = mesh_.position(mesh_.to(g));
+      const Vec3& c = mesh_.position(mesh_.apex(g));
+      const Vec3 whole = cross_of(a, b, c);
+      for (const Vec3& part : {cross_of(a, p, c), cross_of(p, b, c)}) {
+        if (!(part.dot(whole) > 0.1 * part.norm() * whole.norm()) ||
+            part.norm() < 0.05 * whole.norm()) {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   Vec3 middle_of(std::int32_t h) const {
@@ -395,10 +462,10 @@ class Remesher {
   const Context& context_;
   Random variation_, place_, shaking_;  // independent streams of the seed
   double max_distance_;
+  std::vector<double> lengths_;      // #V of the input: the length wanted there
   std::vector<char> marks_;          // 3 #F of the input
   std::vector<std::int32_t> patch_;  // #F of the input
   ClosestPoint tree_;                // of the input
-  std::vector<double> lengths_;      // #V of the input: the length wanted there
   EditMesh mesh_;
   std::vector<double> length_;      // #V: that length at the vertex,
   std::vector<double> wanted_;      // and with its random variation
