@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "craze/model/crack_network.h"
@@ -41,5 +42,9 @@ CrackGraphInput graph_in_square(const CrackNetwork& network, double side);
 
 /// Both at once.
 CrackGraphInput null_graph(NullModel model, std::int32_t cells, std::uint64_t seed);
+
+/// From "NAME", "NAME?cells=N", "NAME?cells=N&seed=S"; 2000 cells and seed 1 where not given.
+/// Throws Error(usage) for anything else, or more than a million cells.
+CrackGraphInput null_graph(const std::string& text);
 
 }  // namespace craze
