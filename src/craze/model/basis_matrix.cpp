@@ -17,19 +17,32 @@ Mat2 basis_matrix(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   return beta;
 }
 
-SingularValues singular_values(const Mat2& m) {
-  const double p = m(0, 0) + m(1, 1), q = m(0, 1) - m(1, 0);
-  const double r = m(0, 0) - m(1, 1), s = m(0, 1) + m(1, 0);
-  const double sum = std::hypot(p, q), difference = std::hypot(r, s);
-  return {0.5 * (sum + difference), 0.5 * std::abs(sum - difference)};
+namespace {
+
+// GᵀG of the 3×2 gradients G, whose first row is minus the sum of β's.
+Mat2 gram(const Mat2& beta) {
+  const Vec2 first = beta.row(0) + beta.row(1);
+  return beta.transpose() * beta + first * first.transpose();
+}
+
+}  // namespace
+
+SingularValues singular_values(const Mat2& beta) {
+  const Mat2 c = gram(beta);
+  const double mean = 0.5 * (c(0, 0) + c(1, 1));
+  const double radius = std::hypot(0.5 * (c(0, 0) - c(1, 1)), c(0, 1));
+  const double largest = std::sqrt(mean + radius);
+  // det GᵀG = 3 (det β)², which keeps the digits that mean − radius would lose.
+  const double product = std::sqrt(3.0) * std::abs(beta.determinant());
+  return {largest, largest > 0 ? product / largest : 0};
 }
 
 Mat2 cap_singular_values(const Mat2& beta, double cap) {
   const SingularValues s = singular_values(beta);
   if (!(s.largest > cap)) return beta;
-  // β = U Σ Vᵀ. V's first column v is the eigenvector of βᵀβ for the largest value; scaling β
+  // G = U Σ Vᵀ. V's first column v is the eigenvector of GᵀG for the largest value; scaling β
   // along v (and, if need be, across it) replaces Σ without ever forming U.
-  const Mat2 c = beta.transpose() * beta;
+  const Mat2 c = gram(beta);
   const double angle = 0.5 * std::atan2(2 * c(0, 1), c(0, 0) - c(1, 1));
   const Vec2 v(std::cos(angle), std::sin(angle)), w(-v.y(), v.x());
   const double along = cap / s.largest;
@@ -41,8 +54,7 @@ double singular_value_cap(const TriangleMesh& mesh) {
   std::vector<double> largest;
   largest.reserve(mesh.face_count());
   for (const Triangle& t : mesh.triangles()) {
-    const Mat2 beta =
-        basis_matrix(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+    const Mat2 beta = basis_matrix(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
     const double s = singular_values(beta).largest;
     if (std::isfinite(s)) largest.push_back(s);
   }

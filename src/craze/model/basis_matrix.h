@@ -1,7 +1,7 @@
 // The barycentric basis matrix β of a triangle, and the cap on its singular values.
 //
-// [IO06] §3.3: β turns positions into barycentric coordinates; §4.2: its singular values are limited
-// so that slivers do not make the explicit relaxation unstable.
+// [IO06] §3.3: β turns positions into barycentric coordinates; §4.2: its singular values are
+// limited so that slivers do not make the explicit relaxation unstable.
 #pragma once
 
 #include <span>
@@ -16,11 +16,12 @@ namespace craze {
 /// these and a column of constants that no equation but Eq. 4 needs.
 Mat2 basis_matrix(const Vec3& p0, const Vec3& p1, const Vec3& p2);
 
-/// Singular values of a 2×2 matrix, larger first.
+/// Singular values of the gradients of all three barycentric coordinates, a 3×2 matrix of which
+/// `beta` holds the last two rows: the same whichever corner comes first. 1/length.
 struct SingularValues {
   double largest, smallest;
 };
-SingularValues singular_values(const Mat2& m);
+SingularValues singular_values(const Mat2& beta);
 
 /// β rebuilt with no singular value above `cap` ([IO06] §4.2): the sliver becomes more compliant in
 /// the capped direction and is unchanged in the other. cap = ∞ leaves β as it is.

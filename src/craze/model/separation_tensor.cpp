@@ -1,6 +1,6 @@
 #include "craze/model/separation_tensor.h"
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
 
 namespace craze {
 
@@ -36,8 +36,8 @@ SplitForce split_force(const Element& e, int corner) {
   if (high <= 0) return {Vec3::Zero(), whole};
   // One of each: σ⁺ = high (σ − low I) / (high − low); I has the components G⁻¹.
   const double s = high / (high - low), i = low / det_g;
-  const Vec3 tensile = corner_force(e, s * (t11 - i * g22), s * (t22 - i * g11),
-                                    s * (t12 + i * g12), corner);
+  const Vec3 tensile =
+      corner_force(e, s * (t11 - i * g22), s * (t22 - i * g11), s * (t12 + i * g12), corner);
   return {tensile, whole - tensile};
 }
 
@@ -57,12 +57,6 @@ SeparationTensor separation_tensor(const TriangleMesh& mesh, const StressField& 
   add_m(sum, -1, tensile);
   add_m(sum, 1, compressive);
   return {0.5 * sum, 0.5 * (lengths + compressive.norm())};
-}
-
-Eigenpair largest_eigenpair(const Sym3& tensor) {
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  solver.computeDirect(tensor.matrix());
-  return {solver.eigenvalues()[2], solver.eigenvectors().col(2)};
 }
 
 }  // namespace craze

@@ -1,8 +1,10 @@
-// [IO06] §3.4, Eq. 2: the separation tensor of a node and its largest eigenvalue.
+// [IO06] §3.4, Eq. 2: the separation tensor of a node. Its largest eigenvalue is v⁺, the unit
+// eigenvector n̂⁺ the normal of the crack plane: see largest_eigenpair().
 #pragma once
 
 #include <cstdint>
 
+#include "craze/base/symmetric_eigen.h"
 #include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/stress_field.h"
@@ -25,13 +27,5 @@ struct SeparationTensor {
 };
 SeparationTensor separation_tensor(const TriangleMesh& mesh, const StressField& field,
                                    std::int32_t v);
-
-/// v⁺ and n̂⁺: the largest eigenvalue of a symmetric tensor and its unit eigenvector, the normal of
-/// the crack plane. The sign of the eigenvector means nothing.
-struct Eigenpair {
-  double value = 0;
-  Vec3 vector = Vec3::Zero();
-};
-Eigenpair largest_eigenpair(const Sym3& tensor);
 
 }  // namespace craze

@@ -1,0 +1,80 @@
+// Meshes and stress states that several tests start from.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "craze/base/random.h"
+#include "craze/mesh/shapes.h"
+#include "craze/mesh/tangent_frame.h"
+#include "craze/mesh/triangle_mesh.h"
+#include "craze/model/element_blocks.h"
+#include "craze/model/euler_relaxation.h"
+#include "craze/model/stress_field.h"
+
+namespace craze::test {
+
+constexpr double no_cap = std::numeric_limits<double>::infinity();
+
+inline TriangleMesh mesh_of(const std::string& shape) {
+  SurfaceMesh s = make_shape(shape);
+  return {std::move(s.positions), std::move(s.triangles)};
+}
+
+inline Vec3 random_unit(Random& random) {
+  Vec3 v;
+  do {
+    v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+  } while (v.norm() < 0.1 || v.norm() > 1);
+  return v.normalized();
+}
+
+/// One tensor per face, in the plane of the face, of either sign.
+inline std::vector<Sym3> random_stress(const TriangleMesh& mesh, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Sym3> stress(mesh.face_count());
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const Sym2 s{random.normal(), random.normal(), random.normal()};
+    stress[f] = to_world(s, tangent_frame(mesh, f));
+  }
+  return stress;
+}
+
+inline StressField field_of(const TriangleMesh& mesh, const std::vector<Sym3>& stress,
+                            double cap = no_cap) {
+  StressField field(mesh, cap);
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) field.add_stress(mesh, f, stress[f]);
+  field.update_forces(mesh);
+  return field;
+}
+
+inline StressField field_of(const TriangleMesh& mesh, const Sym3& stress, double cap = no_cap) {
+  return field_of(mesh, std::vector<Sym3>(mesh.face_count(), stress), cap);
+}
+
+/// ½ Σ A |σ|² + ½ κ Σ A_n |u|².
+inline double energy(const TriangleMesh& mesh, const StressField& field, double adhesion) {
+  double sum = 0;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    sum += 0.5 * mesh.area(f) * field.stress(mesh, f).matrix().squaredNorm();
+  }
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    sum += 0.5 * adhesion * field.node_areas()[v] * field.displacement(v).squaredNorm();
+  }
+  return sum;
+}
+
+inline void relax(const TriangleMesh& mesh, StressField& field,
+                  const EulerRelaxationOptions& options, std::int64_t steps,
+                  const std::vector<char>& fixed = {}) {
+  EulerRelaxation relaxation(mesh, options);
+  relaxation.fixed = fixed;
+  relaxation.run(field, mesh, ElementBlocks(mesh), steps, 1);
+}
+
+inline double distance(const Sym3& a, const Sym3& b) {
+  return (a.matrix() - b.matrix()).norm();
+}
+
+}  // namespace craze::test
