@@ -124,7 +124,7 @@ TEST(KnownPatterns, SidesFollowFromJunctionFractions) {
   for (const NullModel model : all_null_models) {
     const Statistics s = compute_statistics(null_graph(model, 2500, 7), exact());
     const double expected = s.sides.value * (1 + s.regular.value) / (s.sides.value - 2);
-    EXPECT_NEAR(s.corner_degree.value, expected, 0.05) << name(model);
+    EXPECT_NEAR(s.corner_degree.value, expected, 0.05) << to_string(model);
   }
 }
 

@@ -14,6 +14,7 @@
 #include "craze/scenario/output_surface.h"
 #include "craze/scenario/report.h"
 #include "craze/scenario/simulation_input.h"
+#include "craze/stats/statistics_report.h"
 
 namespace craze {
 
@@ -79,6 +80,10 @@ void write_outputs(const RunRequest& request, const SurfaceMesh& surface,
   report.cracks.events = simulation.events();
   report.cracks.segments = simulation.segments();
   report.cracks.length = total_length(network);
+  if (!request.report.empty()) {
+    const CrackGraphInput graph = graph_from_network(network, simulation.mesh());
+    report.statistics = to_json(compute_with_sensitivity(graph), null_rows({}));
+  }
   if (!request.fields.empty()) {
     write_mesh(request.fields,
                field_mesh(simulation, request.recipe.simulation.stress.curvature_radius, context));

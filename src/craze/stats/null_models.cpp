@@ -11,7 +11,7 @@
 
 namespace craze {
 
-std::string_view name(NullModel model) {
+std::string_view to_string(NullModel model) {
   constexpr std::string_view names[] = {"voronoi", "orthogonal", "stit",
                                         "square",  "hexagonal",  "brick"};
   return names[static_cast<int>(model)];
@@ -91,7 +91,7 @@ CrackGraphInput null_graph(const std::string& text) {
   };
   const std::string label = text.substr(0, text.find('?'));
   const auto* model = std::find_if(std::begin(all_null_models), std::end(all_null_models),
-                                   [&](NullModel m) { return name(m) == label; });
+                                   [&](NullModel m) { return to_string(m) == label; });
   if (model == std::end(all_null_models)) {
     fail("it must be voronoi, orthogonal, stit, square, hexagonal or brick");
   }

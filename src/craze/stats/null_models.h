@@ -27,7 +27,7 @@ inline constexpr NullModel all_null_models[] = {NullModel::poisson_voronoi,
                                                 NullModel::brick};
 
 /// "voronoi", "orthogonal", "stit", "square", "hexagonal", "brick".
-std::string_view name(NullModel model);
+std::string_view to_string(NullModel model);
 
 /// Fraction of the longer side at which orthogonal splitting cuts, uniform in this range.
 inline constexpr double orthogonal_cut[2] = {0.3, 0.7};
