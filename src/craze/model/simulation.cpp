@@ -81,8 +81,8 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
   // 1. Initialize the stress field according to heuristics and optionally evolve it.
   double area = 0;
   for (std::int32_t f = 0; f < mesh_.face_count() && !fields_.stress.empty(); ++f) {
-    const Sym3& sigma = fields_.stress[f];
-    field_.add_stress(mesh_, f, sigma);
+    field_.add_stress(mesh_, f, fields_.stress[f]);
+    const Sym3 sigma = field_.stress(mesh_, f);
     initial_tension_ += 0.5 * (sigma.xx + sigma.yy + sigma.zz) * mesh_.area(f);
     area += mesh_.area(f);
   }
@@ -99,7 +99,10 @@ StopReason Simulation::run(const Context& context) {
   // 3. While failure can occur and we want to continue:
   while (can_continue(context)) {
     // 3a. Crack the mesh at the node associated with the top of the priority queue.
-    for (std::int64_t i = 0; i < parameters_.evolution.cracks_per_step && crack_top();) ++i;
+    const EvolutionParameters& evolution = parameters_.evolution;
+    std::int64_t cracks = evolution.cracks_per_step;
+    if (evolution.max_cracks > 0) cracks = std::min(cracks, evolution.max_cracks - events_);
+    while (cracks > 0 && crack_top()) --cracks;
     // 3b. Evolve the stress field.
     evolve(context);
     // 3c. Update the mesh information and priority queue.
