@@ -1,3 +1,81 @@
-int main() {
-  return 0;
+// The craze command: reads the command line, runs one verb, turns errors into one line and a code.
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <new>
+
+#include "app.h"
+#include "craze/base/error.h"
+#include "craze/scenario/nearest_name.h"
+#include "craze/scenario/version.h"
+#include "error_line.h"
+
+namespace {
+
+using namespace craze::app;
+
+/// "craze crack": the verb that a wrong word was said to.
+std::string said_to(const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? "craze" : "craze " + verbs.front()->get_name();
+}
+
+/// A first word that is no verb is met before CLI11 calls it a missing one.
+void check_verb(const CLI::App& app, const std::string& word) {
+  if (word.empty() || word[0] == '-') return;
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+  if (std::find(verbs.begin(), verbs.end(), word) != verbs.end()) return;
+  const std::string nearest = craze::nearest_name(word, verbs);
+  throw craze::Error(craze::ErrorKind::usage, "unknown verb " + word, "craze",
+                     nearest.empty() ? "see craze --help" : "did you mean " + nearest + "?");
+}
+
+int run_command(int argc, char** argv) {
+  CLI::App app{"Grows surface crack patterns on triangle meshes: mud, glaze, glass, paint.",
+               "craze"};
+  app.set_version_flag("--version", "craze " + craze::version());
+  app.set_help_all_flag("--help-all", "Print the help of every verb");
+  app.footer(
+      "Examples:\n"
+      "  craze crack cup.obj -o cracked.glb --preset glaze --picture cracked.png\n"
+      "  craze crack shape:plate?n=99 -o mud.ply --preset mud --set material.alpha=0.9\n"
+      "  craze check scan.stl\n"
+      "craze VERB --help says more about each.");
+  app.require_subcommand(1);
+  Action action;
+  add_crack(app, action);
+  add_check(app, action);
+  add_presets(app, action);
+  add_parameters(app, action);
+  if (argc > 1) check_verb(app, argv[1]);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& e) {
+    std::ostringstream help;
+    app.exit(e, help, help);
+    return print(help.str() + "\n");
+  } catch (const CLI::ParseError& e) {
+    const std::string verb = said_to(app);
+    print_error("wrong usage (" + verb + "): " + e.what() + "; see " + verb + " --help");
+    return wrong_usage;
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return run_command(argc, argv);
+  } catch (const craze::Error& e) {
+    print_error(e.what());
+    return e.kind() == craze::ErrorKind::usage ? wrong_usage : failed;
+  } catch (const std::bad_alloc&) {
+    print_error("out of memory: try a coarser mesh.edge or a smaller input");
+  } catch (const std::exception& e) {
+    print_error(std::string("unexpected failure: ") + e.what());
+  }
+  return failed;
 }

@@ -7,13 +7,15 @@ namespace craze {
 
 namespace {
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 /// A way for the crack to leave the node: across a face or along an edge.
 struct Ray {
   std::int32_t halfedge;  // outgoing; of the face crossed, or the edge followed
   bool along_edge;
-  double angle;           // around the star from its first halfedge, radians
+  double angle;  // around the star from its first halfedge, radians
 };
 
 /// Where along the edge opposite to the node in h's face the plane passes; negative if it does not.
@@ -170,8 +172,7 @@ void open_crack(TriangleMesh& mesh, StressField& field, std::int32_t v, const Ve
   outcome.clear();
   Insertion insertion(mesh, field, rules, outcome);
   for (const Ray& ray : insertion.admissible_rays(v, normal)) {
-    insertion.insert(ray, normal,
-                     first_label + static_cast<std::int32_t>(outcome.segments.size()));
+    insertion.insert(ray, normal, first_label + static_cast<std::int32_t>(outcome.segments.size()));
   }
   std::sort(outcome.changed_nodes.begin(), outcome.changed_nodes.end());
   outcome.changed_nodes.erase(

@@ -4,7 +4,9 @@
 
 namespace craze {
 
-ElementBlocks::ElementBlocks(const TriangleMesh& mesh) { update(mesh, {}); }
+ElementBlocks::ElementBlocks(const TriangleMesh& mesh) {
+  update(mesh, {});
+}
 
 void ElementBlocks::update(const TriangleMesh& mesh,
                            const std::vector<std::int32_t>& changed_faces) {

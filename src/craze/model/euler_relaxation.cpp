@@ -3,40 +3,24 @@
 #include <algorithm>
 
 #include "craze/base/parallel.h"
+#include "craze/model/element_response.h"
 
 namespace craze {
 
 namespace {
 
-/// [IO06 Eqs. 6, 7] and Eq. 1 for the change of stress, over elements [begin, end). With the edges
-/// e_a as the material basis, ∂ε_ab/∂p Δp = ½ (e_a·Δe_b + e_b·Δe_a), Δe_a = Δp_a − Δp_0.
+/// [IO06 Eq. 7] σ += Δσ for elements [begin, end), and the change of force that follows.
 CRAZE_WIDE void relax_elements(Element* elements, const Triangle* triangles, const Vec4d* moves,
                                Vec4d* force_change, std::int32_t begin, std::int32_t end) {
   for (std::int32_t f = begin; f < end; ++f) {
     const Triangle& corner = triangles[f];
-    Element& element = elements[f];
-    const Vec4d::Lanes e1 = element.e1.v, e2 = element.e2.v, t = element.t.v;
     const Vec4d::Lanes p0 = moves[corner[0]].v;
-    const Vec4d::Lanes d1 = moves[corner[1]].v - p0, d2 = moves[corner[2]].v - p0;
-
-    const Vec4d::Lanes m11 = e1 * d1, m22 = e2 * d2, m12 = e1 * d2 + e2 * d1;
-    const double q11 = m11[0] + m11[1] + m11[2];
-    const double q22 = m22[0] + m22[1] + m22[2];
-    const double q12 = 0.5 * (m12[0] + m12[1] + m12[2]);
-
-    // ΔT = N q N
-    const double n11 = e1[3], n12 = e2[3], n22 = t[3];
-    const double a11 = n11 * q11 + n12 * q12, a12 = n11 * q12 + n12 * q22;
-    const double a21 = n12 * q11 + n22 * q12, a22 = n12 * q12 + n22 * q22;
-    const double t11 = a11 * n11 + a12 * n12;
-    const double t22 = a21 * n12 + a22 * n22;
-    const double t12 = a11 * n12 + a12 * n22;
-    element.t.v = t + Vec4d::Lanes{t11, t22, t12, 0};
-
-    const Vec4d::Lanes f1 = t11 * e1 + t12 * e2, f2 = t12 * e1 + t22 * e2;
-    force_change[corner[0]].v += f1 + f2;
-    force_change[corner[1]].v -= f1;
-    force_change[corner[2]].v -= f2;
+    const ElementResponse response =
+        element_response(elements[f], moves[corner[1]].v - p0, moves[corner[2]].v - p0);
+    elements[f].t.v += response.t;
+    force_change[corner[0]].v += response.f1 + response.f2;
+    force_change[corner[1]].v -= response.f1;
+    force_change[corner[2]].v -= response.f2;
   }
 }
 
@@ -49,8 +33,8 @@ EulerRelaxation::EulerRelaxation(const TriangleMesh& mesh, const EulerRelaxation
   for (auto& lane : force_change_) lane.resize(mesh.vertex_count());
 }
 
-void EulerRelaxation::run(StressField& field, const TriangleMesh& mesh,
-                          const ElementBlocks& blocks, std::int64_t steps, int threads) {
+void EulerRelaxation::run(StressField& field, const TriangleMesh& mesh, const ElementBlocks& blocks,
+                          std::int64_t steps, int threads) {
   moves_.resize(mesh.vertex_count());
   for (auto& lane : force_change_) lane.resize(mesh.vertex_count());
   block_force_.resize(blocks.node_blocks(), 0);

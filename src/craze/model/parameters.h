@@ -32,9 +32,11 @@ struct StressParameters {
 struct Impact {
   Vec3 point = Vec3::Zero();
   double radius = 1;
-  double radial = 0;   ///< amplitude of the tension along the rays: opens rings
-  double hoop = 1;     ///< amplitude of the tension around the point: opens rays
-  double falloff = 2;  ///< exponent of the decay beyond the radius
+  double radial = 0;          ///< amplitude of the tension along the rays: opens rings
+  double hoop = 1;            ///< amplitude of the tension around the point: opens rays
+  double falloff = 2;         ///< exponent of the decay beyond the radius
+  double radial_falloff = 0;  ///< of the radial part alone; 0: falloff
+  double hoop_falloff = 0;    ///< of the hoop part alone; 0: falloff
 };
 
 /// [material]
@@ -45,13 +47,17 @@ struct MaterialParameters {
   double alpha = 0.5;  ///< α of Eq. 8
   double scatter = 0;  ///< relative scatter of the strength
   CurvatureScale curvature_scale = CurvatureScale::none;
-  double bias = 0;  ///< preference for principal directions (Fig. 2)
+  double bias = 0;        ///< preference for principal directions (Fig. 2)
+  std::string attribute;  ///< of the input, multiplies toughness and strength; 0: no crack, ever
+  std::string texture;    ///< grey image in UV space, multiplied in too
 };
 
 /// [layer]
 struct LayerParameters {
   double spacing = 0;           ///< asked-for spacing of the cracks
   double screening_length = 0;  ///< ℓ; 0: no adhesion
+  std::string attribute;        ///< of the input, multiplies the spacing; 0: no crack, ever
+  std::string texture;          ///< grey image in UV space, multiplied in too
 };
 
 /// [evolution]

@@ -6,8 +6,8 @@
 namespace craze {
 
 /// κ = 1/ℓ², 1/length²: the force that holds a node back per area and displacement, in units of the
-/// layer's stiffness. 0 without adhesion. Equilibrium then solves div σ = κ u, whose solutions decay
-/// over ℓ (Cox's shear-lag film).
+/// layer's stiffness. 0 without adhesion. Equilibrium then solves div σ = κ u, whose solutions
+/// decay over ℓ (Cox's shear-lag film).
 double adhesion(const LayerParameters& layer);
 
 /// ℓ in length units: as given, or derived from the asked-for spacing; 0: no adhesion.

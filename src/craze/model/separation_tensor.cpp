@@ -36,8 +36,8 @@ SplitForce split_force(const Element& e, int corner) {
   if (high <= 0) return {Vec3::Zero(), whole};
   // One of each: σ⁺ = high (σ − low I) / (high − low); I has the components G⁻¹.
   const double s = high / (high - low), i = low / det_g;
-  const Vec3 tensile = corner_force(e, s * (t11 - i * g22), s * (t22 - i * g11),
-                                    s * (t12 + i * g12), corner);
+  const Vec3 tensile =
+      corner_force(e, s * (t11 - i * g22), s * (t22 - i * g11), s * (t12 + i * g12), corner);
   return {tensile, whole - tensile};
 }
 

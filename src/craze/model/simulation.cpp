@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <numbers>
 #include <string>
 
 #include "craze/base/error.h"
 #include "craze/base/parallel.h"
-#include "craze/model/basis_matrix.h"
-#include "craze/model/screening.h"
 
 namespace craze {
 
@@ -28,17 +27,10 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// A node is moved by a force above this part of the toughness: far below what any pattern sees, far
-// above rounding.
-constexpr double rest_force = 1e-7;
-// Nothing more can happen once every force is below this part of the toughness.
-constexpr double equilibrium_force = 1e-3;
+// Nodes cracked in one step at most.
+constexpr std::int64_t largest_batch = 64;
 // A node that could not open on a plane is tried again when the plane has turned this much.
 constexpr double arrest_cosine = 0.98;
-
-EulerRelaxationOptions relaxation_options(const SimulationParameters& p) {
-  return {p.evolution.time_step, adhesion(p.layer), rest_force * p.material.toughness};
-}
 
 void check_size(std::size_t size, std::size_t expected, const char* name) {
   if (size != 0 && size != expected) {
@@ -68,9 +60,7 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
     : parameters_(parameters),
       fields_(std::move(fields)),
       mesh_(std::move(mesh)),
-      field_(mesh_, craze::singular_value_cap(mesh_)),
-      blocks_(mesh_),
-      relaxation_(mesh_, relaxation_options(parameters)) {
+      field_(mesh_, engine_singular_value_cap(mesh_, parameters.engine)) {
   const auto faces = static_cast<std::size_t>(mesh_.face_count());
   check_size(fields_.stress.size(), faces, "stress");
   check_size(fields_.growth.size(), faces, "growth");
@@ -79,185 +69,193 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
   check_size(fields_.fixed.size(), static_cast<std::size_t>(mesh_.vertex_count()), "fixed");
 
   // 1. Initialize the stress field according to heuristics and optionally evolve it.
-  double area = 0;
+  double tension = 0, area = 0;
   for (std::int32_t f = 0; f < mesh_.face_count() && !fields_.stress.empty(); ++f) {
     field_.add_stress(mesh_, f, fields_.stress[f]);
     const Sym3 sigma = field_.stress(mesh_, f);
-    initial_tension_ += 0.5 * (sigma.xx + sigma.yy + sigma.zz) * mesh_.area(f);
+    tension += 0.5 * (sigma.xx + sigma.yy + sigma.zz) * mesh_.area(f);
     area += mesh_.area(f);
   }
-  if (area > 0) initial_tension_ /= area;
   field_.update_forces(mesh_);
-  relaxation_.fixed = fields_.fixed;
+  evolution_ = make_evolution(mesh_, parameters_,
+                              {area > 0 ? tension / area : 0, &fields_.growth, fields_.fixed});
 
   // 2. Compute the failure criteria for each node and store them in a priority queue.
-  changed_nodes_.assign(mesh_.vertex_count(), 1);
+  for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) changed_.push_back(v);
   update_failure_criteria(context);
 }
 
 StopReason Simulation::run(const Context& context) {
+  if (parameters_.engine == Engine::quasistatic && events_ == 0) {
+    evolve(context);
+    update_failure_criteria(context);
+  }
   // 3. While failure can occur and we want to continue:
   while (can_continue(context)) {
     // 3a. Crack the mesh at the node associated with the top of the priority queue.
-    const EvolutionParameters& evolution = parameters_.evolution;
-    std::int64_t cracks = evolution.cracks_per_step;
-    if (evolution.max_cracks > 0) cracks = std::min(cracks, evolution.max_cracks - events_);
-    while (cracks > 0 && crack_top()) --cracks;
+    crack_mesh();
     // 3b. Evolve the stress field.
     evolve(context);
     // 3c. Update the mesh information and priority queue.
     update_failure_criteria(context);
-    context.report({"crack", -1, events_, mesh_.face_count(), load_});
+    context.report({"crack", -1, events_, mesh_.face_count(), load()});
   }
   // 4. For display: post/ and render/.
   return stop_;
 }
 
 bool Simulation::can_continue(const Context& context) {
-  const EvolutionParameters& evolution = parameters_.evolution;
   const auto stop = [&](StopReason reason) {
     stop_ = reason;
     return false;
   };
+  const std::int64_t limit = parameters_.evolution.max_cracks;
   if (context.is_cancelled()) return stop(StopReason::cancelled);
-  if (evolution.max_cracks > 0 && events_ >= evolution.max_cracks) {
-    return stop(StopReason::max_cracks);
+  if (limit > 0 && events_ >= limit) return stop(StopReason::max_cracks);
+  if (evolution_->reached_max_load()) return stop(StopReason::max_load);
+  if (!queue_.empty() && fails_now(queue_.top())) return true;
+  const double needed =
+      queue_.empty() ? std::numeric_limits<double>::infinity() : 1 / queue_.measure(queue_.top());
+  if (evolution_->advance(needed)) return true;
+  return stop(evolution_->reached_max_load() ? StopReason::max_load : StopReason::equilibrium);
+}
+
+bool Simulation::fails_now(std::int32_t v) const {
+  // advance() raises the load to 1 / measure, rounded.
+  constexpr double rounding = 1e-12;
+  return queue_.measure(v) * evolution_->load() >= 1 - rounding;
+}
+
+void Simulation::crack_mesh() {
+  const Stopwatch watch(times_.crack);
+  // Nodes that fail far from each other do not interact: they crack in one step. A node too close
+  // to one that is already taken keeps its place in the queue, and its own surroundings with it.
+  const double apart = evolution_->independence_distance();
+  const std::int64_t most =
+      parameters_.engine == Engine::euler ? parameters_.evolution.cracks_per_step : largest_batch;
+  std::vector<Vec3> taken;
+  std::vector<std::pair<std::int32_t, double>> waiting;
+  std::int64_t cracked = 0;
+  while (cracked < most && !queue_.empty() && fails_now(queue_.top())) {
+    if (const std::int64_t limit = parameters_.evolution.max_cracks;
+        limit > 0 && events_ >= limit) {
+      break;
+    }
+    const std::int32_t v = queue_.top();
+    const Vec3 position = mesh_.position(v);
+    const bool independent = std::all_of(taken.begin(), taken.end(), [&](const Vec3& p) {
+      return (p - position).squaredNorm() >= apart * apart;
+    });
+    if (!independent) {
+      if (apart == std::numeric_limits<double>::infinity()) break;
+      waiting.emplace_back(v, queue_.measure(v));
+      queue_.remove(v);
+      taken.push_back(position);
+      continue;
+    }
+    if (crack_at(v)) {
+      ++cracked;
+      taken.push_back(position);
+    }
   }
-  if (load_ >= evolution.max_load && evolution.shrinkage > 0) return stop(StopReason::max_load);
-  if (!queue_.empty()) return true;
-  if (evolution.shrinkage > 0 || !fields_.growth.empty()) return true;
-  const bool at_rest = time_ > 0 && relaxation_.largest_force() <=
-                                        equilibrium_force * parameters_.material.toughness;
-  if (at_rest) return stop(StopReason::equilibrium);
+  for (const auto& [v, measure] : waiting) queue_.set(v, measure);
+}
+
+bool Simulation::crack_at(std::int32_t v) {
+  const CrackRules rules{parameters_.crack.snap_angle * std::numbers::pi / 180,
+                         parameters_.crack.back_angle * std::numbers::pi / 180};
+  const Eigenpair failure = failing_[v];
+  const double tau = parameters_.material.toughness * scale_at(fields_.toughness_scale, v);
+  open_crack(mesh_, field_, v, failure.vector, rules, static_cast<std::int32_t>(segments()),
+             outcome_);
+  queue_.remove(v);
+  residuals_.erase(v);
+  if (outcome_.empty()) {
+    arrested_[v] = failure.vector;
+    return false;
+  }
+  for (const CrackSegment& s : outcome_.segments) {
+    segments_.push_back({s, evolution_->time(), static_cast<std::int32_t>(events_)});
+  }
+  ++events_;
+
+  // [IO06 Eq. 8] The residual v* = v⁺ − τ drives the new tips on.
+  const double excess = (failure.value * evolution_->load() - 1) * tau;
+  for (const std::int32_t tip : outcome_.tips) {
+    Sym3 residual;
+    add_outer(residual, parameters_.material.alpha * excess, failure.vector);
+    residuals_[tip] = residual;
+  }
+  for (const std::int32_t n : outcome_.changed_nodes) {
+    changed_.push_back(n);
+    arrested_.erase(n);
+    queue_.remove(n);
+  }
+  hold_new_nodes();
+  evolution_->mesh_changed(mesh_, outcome_);
   return true;
 }
 
-bool Simulation::crack_top() {
-  const Stopwatch watch(times_.crack);
-  const double tau = parameters_.material.toughness;
-  const CrackRules rules{parameters_.crack.snap_angle * std::numbers::pi / 180,
-                         parameters_.crack.back_angle * std::numbers::pi / 180};
-  while (!queue_.empty()) {
-    const std::int32_t v = queue_.top();
-    const Eigenpair failure = failing_[v];
-    const double threshold = tau * scale_at(fields_.toughness_scale, v);
-    open_crack(mesh_, field_, v, failure.vector, rules, static_cast<std::int32_t>(segments()),
-               outcome_);
-    queue_.remove(v);
-    residuals_.erase(v);
-    if (outcome_.empty()) {
-      arrested_[v] = failure.vector;
-      continue;
+void Simulation::hold_new_nodes() {
+  // New vertices on a held border, and copies of held vertices, are held.
+  std::vector<char>& fixed = evolution_->fixed();
+  if (fixed.empty()) return;
+  const auto old = static_cast<std::int32_t>(fixed.size());
+  fixed.resize(mesh_.vertex_count(), 0);
+  for (std::int32_t n = old; n < mesh_.vertex_count(); ++n) {
+    const std::int32_t root = mesh_.root(n), h = mesh_.first_halfedge(n);
+    if (root != n) {
+      fixed[n] = fixed[root];
+    } else if (mesh_.is_open(h) && mesh_.crack_of(h) < 0) {
+      fixed[n] = fixed[mesh_.to(h)];
     }
-    for (const CrackSegment& s : outcome_.segments) {
-      segments_.push_back({s, time_, static_cast<std::int32_t>(events_)});
-    }
-    ++events_;
-
-    // New vertices on a held border, and copies of held vertices, are held.
-    if (!relaxation_.fixed.empty()) {
-      const auto old = static_cast<std::int32_t>(relaxation_.fixed.size());
-      relaxation_.fixed.resize(mesh_.vertex_count(), 0);
-      for (std::int32_t n = old; n < mesh_.vertex_count(); ++n) {
-        const std::int32_t root = mesh_.root(n);
-        if (root != n) {
-          relaxation_.fixed[n] = relaxation_.fixed[root];
-        } else if (const std::int32_t h = mesh_.first_halfedge(n);
-                   mesh_.is_open(h) && mesh_.crack_of(h) < 0) {
-          relaxation_.fixed[n] = relaxation_.fixed[mesh_.to(h)];
-        }
-      }
-    }
-
-    // [IO06 Eq. 8] The residual v* = v⁺ − τ drives the new tips on.
-    for (const std::int32_t tip : outcome_.tips) {
-      Sym3 residual;
-      add_outer(residual, parameters_.material.alpha * (failure.value - threshold),
-                failure.vector);
-      residuals_[tip] = residual;
-    }
-    changed_nodes_.resize(mesh_.vertex_count(), 1);
-    for (const std::int32_t n : outcome_.changed_nodes) {
-      changed_nodes_[n] = 1;
-      arrested_.erase(n);
-    }
-    blocks_.update(mesh_, outcome_.changed_faces);
-    return true;
   }
-  return false;
 }
 
 void Simulation::evolve(const Context& context) {
   const Stopwatch watch(times_.relax);
-  const EvolutionParameters& evolution = parameters_.evolution;
-  // 3b.i. Perform relaxation.
-  relaxation_.run(field_, mesh_, blocks_, evolution.relaxation_steps, context.threads);
-  time_ += evolution.time_step * static_cast<double>(evolution.relaxation_steps);
-  // 3b.ii. Optional: add shrinkage tension and/or curvature biasing.
-  if (evolution.shrinkage > 0 || !fields_.growth.empty()) add_growth();
-}
-
-void Simulation::add_growth() {
-  for (std::int32_t f = 0; f < mesh_.face_count(); ++f) {
-    Sym3 growth;
-    if (!fields_.growth.empty()) growth = fields_.growth[mesh_.source_face(f)];
-    growth.xx += parameters_.evolution.shrinkage;
-    growth.yy += parameters_.evolution.shrinkage;
-    growth.zz += parameters_.evolution.shrinkage;
-    field_.add_stress(mesh_, f, growth);
-  }
-  field_.update_forces(mesh_);
-  added_tension_ += parameters_.evolution.shrinkage;
-  load_ = initial_tension_ > 0 ? 1 + added_tension_ / initial_tension_ : added_tension_;
-  changed_nodes_.assign(mesh_.vertex_count(), 1);
+  evolution_->evolve(field_, mesh_, context.threads, changed_);
 }
 
 void Simulation::update_failure_criteria(const Context& context) {
   const Stopwatch watch(times_.separation);
-  const std::int32_t nodes = mesh_.vertex_count();
-  changed_nodes_.resize(nodes, 1);
-  failing_.resize(nodes);
-  const std::vector<char>& blocks = relaxation_.changed_blocks();
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (!blocks[b]) continue;
-    const std::int32_t begin = static_cast<std::int32_t>(b) * ElementBlocks::nodes_per_block;
-    const std::int32_t end = std::min(nodes, begin + ElementBlocks::nodes_per_block);
-    std::fill(changed_nodes_.begin() + begin, changed_nodes_.begin() + end, 1);
-  }
-  relaxation_.clear_changed();
-
-  parallel_for(context.threads, static_cast<std::size_t>(nodes), 512,
-               [&](std::size_t begin, std::size_t end) {
-                 for (std::size_t v = begin; v < end; ++v) {
-                   if (changed_nodes_[v]) evaluate(static_cast<std::int32_t>(v));
-                 }
-               });
-  for (std::int32_t v = 0; v < nodes; ++v) {
-    if (!changed_nodes_[v]) continue;
-    changed_nodes_[v] = 0;
+  failing_.resize(mesh_.vertex_count());
+  std::sort(changed_.begin(), changed_.end());
+  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+  parallel_for(context.threads, changed_.size(), 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) evaluate(changed_[i]);
+  });
+  for (const std::int32_t v : changed_) {
     queue_.set(v, failing_[v].value);
     // A tip that does not fail has stopped: its residual is spent.
-    if (failing_[v].value == 0) residuals_.erase(v);
+    if (!fails_now(v)) residuals_.erase(v);
   }
+  changed_.clear();
 }
 
 void Simulation::evaluate(std::int32_t v) {
   failing_[v] = {};
   const double tau = parameters_.material.toughness * scale_at(fields_.toughness_scale, v);
   const double scale = scale_at(fields_.separation_scale, v);
-  const auto residual = residuals_.find(v);
+  const double floor = tau / evolution_->highest_load(), load = evolution_->load();
   const SeparationTensor separation = separation_tensor(mesh_, field_, v);
-  if (residual == residuals_.end() && scale * separation.bound <= tau) return;
-  Sym3 tensor = scale * separation.tensor;
-  if (residual != residuals_.end()) tensor += residual->second;
-  const Eigenpair pair = largest_eigenpair(tensor);
-  if (!(pair.value > tau)) return;
+  Eigenpair pair;
+  // A tip with a residual fails with its help now, or without it later.
+  if (const auto residual = residuals_.find(v); residual != residuals_.end() && load > 0) {
+    Sym3 tensor = scale * separation.tensor;
+    tensor += (1 / load) * residual->second;
+    pair = largest_eigenpair(tensor);
+    if (!(pair.value * load > tau)) pair.value = 0;
+  }
+  if (pair.value == 0 && scale * separation.bound > floor) {
+    pair = largest_eigenpair(scale * separation.tensor);
+  }
+  if (!(pair.value > floor)) return;
   const auto arrested = arrested_.find(v);
-  if (arrested != arrested_.end() &&
-      std::abs(arrested->second.dot(pair.vector)) > arrest_cosine) {
+  if (arrested != arrested_.end() && std::abs(arrested->second.dot(pair.vector)) > arrest_cosine) {
     return;
   }
-  failing_[v] = pair;
+  failing_[v] = {pair.value / tau, pair.vector};
 }
 
 double Simulation::scale_at(const std::vector<double>& per_face, std::int32_t v) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -9,8 +10,7 @@
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/crack_insertion.h"
 #include "craze/model/crack_network.h"
-#include "craze/model/element_blocks.h"
-#include "craze/model/euler_relaxation.h"
+#include "craze/model/evolution.h"
 #include "craze/model/failure_queue.h"
 #include "craze/model/parameters.h"
 #include "craze/model/separation_tensor.h"
@@ -21,11 +21,11 @@ namespace craze {
 /// What varies over the surface, one value per face of the mesh that the simulation starts with.
 /// Faces made later look their values up by TriangleMesh::source_face. Empty: not given.
 struct SimulationFields {
-  std::vector<Sym3> stress;               ///< σ₀, world axes, force/length
-  std::vector<Sym3> growth;               ///< added to σ per step besides the shrinkage
-  std::vector<double> toughness_scale;    ///< factor on τ and strength, ≥ 0; ∞: never fails
-  std::vector<double> separation_scale;   ///< factor on ς, ≥ 0 (Figs. 4 and 10)
-  std::vector<char> fixed;                ///< per vertex: 1 where the surface is held
+  std::vector<Sym3> stress;              ///< σ₀, world axes, force/length
+  std::vector<Sym3> growth;              ///< added to σ per step besides the shrinkage
+  std::vector<double> toughness_scale;   ///< factor on τ and strength, ≥ 0; ∞: never fails
+  std::vector<double> separation_scale;  ///< factor on ς, ≥ 0 (Figs. 4 and 10)
+  std::vector<char> fixed;               ///< per vertex: 1 where the surface is held
 };
 
 enum class StopReason {
@@ -41,8 +41,9 @@ struct PhaseTimes {
   double relax = 0, separation = 0, crack = 0;
 };
 
-/// Cracks a mesh. Nodes do not move: the result is the cut mesh, its stress, and when and where each
-/// crack opened. The same mesh, fields and parameters give the same bytes on any number of threads.
+/// Cracks a mesh. Nodes do not move: the result is the cut mesh, its stress, and when and where
+/// each crack opened. The same mesh, fields and parameters give the same bytes on any number of
+/// threads.
 class Simulation {
  public:
   /// Steps 1 and 2 of the pseudo-code. Throws Error(request) where a field's size is wrong.
@@ -61,13 +62,13 @@ class Simulation {
   /// The time at which each crack label (TriangleMesh::crack_of) opened.
   std::vector<double> crack_times() const;
 
-  /// Mean tension applied so far over the initial one (§4.1's shrinkage raises it).
-  double load() const { return load_; }
-  /// Simulated time: Δt times the relaxation steps taken.
-  double time() const { return time_; }
+  /// Load factor s (quasistatic); mean tension applied so far over the initial one (euler).
+  double load() const { return evolution_->reported_load(); }
+  /// What cracks are dated with: s (quasistatic), Δt times the relaxation steps taken (euler).
+  double time() const { return evolution_->time(); }
   std::int64_t events() const { return events_; }
   std::int64_t segments() const { return static_cast<std::int64_t>(segments_.size()); }
-  std::int64_t element_updates() const { return relaxation_.element_updates(); }
+  std::int64_t element_updates() const { return evolution_->element_updates(); }
   const PhaseTimes& times() const { return times_; }
 
  private:
@@ -78,31 +79,29 @@ class Simulation {
   };
 
   bool can_continue(const Context& context);
-  bool crack_top();
+  bool fails_now(std::int32_t v) const;
+  void crack_mesh();
+  bool crack_at(std::int32_t v);
+  void hold_new_nodes();
   void evolve(const Context& context);
-  void add_growth();
   void update_failure_criteria(const Context& context);
   void evaluate(std::int32_t v);
   double scale_at(const std::vector<double>& per_face, std::int32_t v) const;
-  void mark_changed(std::int32_t v);
 
   SimulationParameters parameters_;
   SimulationFields fields_;
   TriangleMesh mesh_;
   StressField field_;
-  ElementBlocks blocks_;
-  EulerRelaxation relaxation_;
-  FailureQueue queue_;
+  std::unique_ptr<Evolution> evolution_;
+  FailureQueue queue_;  // by v⁺ at load 1 over the toughness
   CrackOutcome outcome_;
 
   std::vector<Segment> segments_;
   std::unordered_map<std::int32_t, Sym3> residuals_;  // Eq. 8, of live tips
   std::unordered_map<std::int32_t, Vec3> arrested_;   // planes on which a node could not open
-  std::vector<Eigenpair> failing_;                    // #V, (v⁺, n̂⁺) of queued nodes
-  std::vector<char> changed_nodes_;                   // #V, to be evaluated again
+  std::vector<Eigenpair> failing_;     // #V, (v⁺ at load 1 over τ, n̂⁺); value 0: cannot fail
+  std::vector<std::int32_t> changed_;  // nodes to be evaluated again
 
-  double load_ = 1, time_ = 0;
-  double initial_tension_ = 0, added_tension_ = 0;
   std::int64_t events_ = 0;
   StopReason stop_ = StopReason::equilibrium;
   PhaseTimes times_;

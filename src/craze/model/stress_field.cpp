@@ -2,6 +2,7 @@
 
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/basis_matrix.h"
+#include "craze/model/element_response.h"
 
 namespace craze {
 
@@ -70,12 +71,23 @@ void StressField::add_stress(const TriangleMesh& mesh, std::int32_t f, const Sym
 
 void StressField::update_force(const TriangleMesh& mesh, std::int32_t v) {
   Vec3 force = Vec3::Zero();
-  mesh.for_each_outgoing(v, [&](std::int32_t h) { force += element_force(elements_[h / 3], h % 3); });
+  mesh.for_each_outgoing(v,
+                         [&](std::int32_t h) { force += element_force(elements_[h / 3], h % 3); });
   forces_[v].v = Vec4d::Lanes{force.x(), force.y(), force.z(), 0};
 }
 
 void StressField::update_forces(const TriangleMesh& mesh) {
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) update_force(mesh, v);
+}
+
+void StressField::displace(std::int32_t f, const Triangle& corners, const Vec4d& u0,
+                           const Vec4d& u1, const Vec4d& u2) {
+  const ElementResponse response = element_response(elements_[f], u1.v - u0.v, u2.v - u0.v);
+  elements_[f].t.v += response.t;
+  forces_[corners[0]].v += response.f1 + response.f2;
+  forces_[corners[1]].v -= response.f1;
+  forces_[corners[2]].v -= response.f2;
+  for (const std::int32_t v : corners) forces_[v][3] = 0;
 }
 
 void StressField::update_node_area(const TriangleMesh& mesh, std::int32_t v) {

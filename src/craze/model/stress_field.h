@@ -56,6 +56,11 @@ class StressField {
   void update_force(const TriangleMesh& mesh, std::int32_t v);
   void update_forces(const TriangleMesh& mesh);
 
+  /// [IO06 Eqs. 6, 7] Adds to σ of a face what virtual displacements of its corners make of it, and
+  /// the change of Eq. 1's forces to the corners.
+  void displace(std::int32_t f, const Triangle& corners, const Vec4d& u0, const Vec4d& u1,
+                const Vec4d& u2);
+
   /// Follows TriangleMesh::split_edge: the halves keep the parent's σ, the new node lies between
   /// the ends of the split edge and takes its u from them. Forces around are updated.
   void follow(const TriangleMesh& mesh, const TriangleMesh::Split& split, std::int32_t from,
@@ -70,10 +75,10 @@ class StressField {
   void update_node_area(const TriangleMesh& mesh, std::int32_t v);
 
   double cap_;
-  std::vector<Element> elements_;      // #F
-  std::vector<Vec4d> forces_;          // #V
-  std::vector<Vec4d> displacements_;   // #V
-  std::vector<double> node_areas_;     // #V
+  std::vector<Element> elements_;     // #F
+  std::vector<Vec4d> forces_;         // #V
+  std::vector<Vec4d> displacements_;  // #V
+  std::vector<double> node_areas_;    // #V
 };
 
 /// [IO06 Eq. 1] The force of an element on its corner 0, 1 or 2.

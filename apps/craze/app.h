@@ -1,0 +1,25 @@
+// What the verbs share. Each verb is one file with one function that adds it to the command.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string_view>
+
+namespace craze::app {
+
+/// Exit codes of the command.
+constexpr int done = 0, failed = 1, wrong_usage = 2, interrupted = 130;
+
+/// What the chosen verb does; set while the command line is read, called after it.
+using Action = std::function<int()>;
+
+void add_crack(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_presets(CLI::App& app, Action& action);
+void add_parameters(CLI::App& app, Action& action);
+
+/// Writes results to standard output and returns the exit code: `failed`, without a word, where a
+/// pipe is closed; throws Error(output) where writing fails otherwise.
+int print(std::string_view text);
+
+}  // namespace craze::app

@@ -1,0 +1,104 @@
+// craze crack INPUT: grows cracks on a mesh and writes what was asked for.
+#include <memory>
+
+#include "app.h"
+#include "craze/scenario/presets.h"
+#include "craze/scenario/run.h"
+#include "interrupt.h"
+#include "progress_line.h"
+
+namespace craze::app {
+
+namespace {
+
+struct Options {
+  RunRequest request;
+  std::string preset, recipe, seed;
+  std::vector<std::string> settings;
+  int threads = 0;
+  bool quiet = false;
+};
+
+/// Defaults, then the preset or recipe file, then --set in order, then --seed.
+Recipe build_recipe(const Options& options) {
+  Recipe recipe;
+  if (!options.preset.empty()) recipe = read_preset(options.preset);
+  if (!options.recipe.empty()) recipe = read_recipe_file(options.recipe);
+  for (const std::string& setting : options.settings) apply_set(recipe, setting);
+  if (!options.seed.empty()) apply_set(recipe, "seed=" + options.seed);
+  return recipe;
+}
+
+int crack(Options& options) {
+  options.request.recipe = build_recipe(options);
+  check_request(options.request);
+  catch_interrupt();
+  RunResult result;
+  {
+    ProgressLine line(options.quiet);
+    Context context;
+    context.threads = options.threads;
+    context.progress = [&](const Progress& progress) { line.update(progress); };
+    context.cancelled = was_interrupted;
+    result = run(options.request, context);
+  }
+  int code = done;
+  if (options.request.report == "-") code = print(result.report.dump(2) + "\n");
+  return result.cancelled ? interrupted : code;
+}
+
+void add_outputs(CLI::App& verb, RunRequest& request) {
+  const char* group = "Outputs";
+  verb.add_option("-o,--output", request.output, "The cracked mesh: .ply, .obj, .stl or .glb")
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_option("--lines", request.lines, "The cracks as lines: .ply, .obj, .svg or .json")
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_option("--picture", request.picture, "A picture: .png")->type_name("FILE")->group(group);
+  verb.add_option("--report", request.report, "What was done, as JSON; -: to standard output")
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_option("--fields", request.fields, "Stress, forces and curvatures at the end: .ply")
+      ->type_name("FILE")
+      ->group(group);
+}
+
+}  // namespace
+
+void add_crack(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("crack", "Grow cracks on a mesh");
+  verb->add_option("INPUT", options->request.input,
+                   "A mesh (.obj .ply .stl .off .gltf .glb), or shape:NAME?key=value&...")
+      ->required()
+      ->type_name("");
+  add_outputs(*verb, options->request);
+  CLI::Option* preset = verb->add_option("--preset", options->preset, "See craze presets");
+  preset->type_name("NAME");
+  verb->add_option("--recipe", options->recipe, "A recipe of your own, TOML")
+      ->type_name("FILE")
+      ->excludes(preset);
+  verb->add_option("--set", options->settings,
+                   "Change one key of the recipe, as often as you like; see craze parameters")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  verb->add_option("--seed", options->seed, "The same as --set seed=N")->type_name("N");
+  verb->add_option("--max-cracks", options->request.max_cracks,
+                   "Stop after N crack events; 0: before the first")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+  verb->add_option("--threads", options->threads, "0: one per core")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  verb->add_flag("--quiet", options->quiet, "No progress");
+  verb->footer(
+      "Examples:\n"
+      "  craze crack cup.obj -o cracked.glb --preset glaze\n"
+      "  craze crack shape:plate?n=99 -o mud.ply --preset mud --lines mud.svg --report mud.json\n"
+      "  craze crack scan.ply -o scan_cracked.ply --set stress.attribute=paint --seed 7\n"
+      "Ctrl-C stops, writes what was asked for and exits with 130; a second one kills.");
+  verb->callback([options, &action] { action = [options] { return crack(*options); }; });
+}
+
+}  // namespace craze::app

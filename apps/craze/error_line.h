@@ -1,0 +1,12 @@
+// The one line that says what went wrong.
+#pragma once
+
+#include <string>
+
+namespace craze::app {
+
+/// Writes "craze: error: MESSAGE" on standard error, control characters replaced by spaces; in red
+/// on a terminal unless NO_COLOR is set.
+void print_error(const std::string& message);
+
+}  // namespace craze::app

@@ -1,0 +1,6 @@
+#include "craze/io/stl.h"
+#include "fuzz_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return craze::fuzz_reader(data, size, craze::read_stl);
+}

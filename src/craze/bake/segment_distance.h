@@ -1,0 +1,32 @@
+// Distances from points and segments to segments.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "craze/base/tensor.h"
+
+namespace craze {
+
+/// Where on the segment ab the point nearest to p lies: 0 at a, 1 at b.
+inline double nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 d = b - a;
+  const double length = d.squaredNorm();
+  return length > 0 ? std::clamp((p - a).dot(d) / length, 0.0, 1.0) : 0.0;
+}
+
+inline double point_segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
+  return (a + nearest_on_segment(p, a, b) * (b - a) - p).norm();
+}
+
+/// Distance between the segments ab and cd, which lie in one plane.
+inline double coplanar_segment_distance(const Vec3& a, const Vec3& b, const Vec3& c,
+                                        const Vec3& d) {
+  const Vec3 e = d - c, s = b - a;
+  const Vec3 ca = e.cross(a - c), cb = e.cross(b - c), ac = s.cross(c - a), ad = s.cross(d - a);
+  if (ca.dot(cb) < 0 && ac.dot(ad) < 0) return 0;
+  return std::min(std::min(point_segment_distance(a, c, d), point_segment_distance(b, c, d)),
+                  std::min(point_segment_distance(c, a, b), point_segment_distance(d, a, b)));
+}
+
+}  // namespace craze

@@ -1,0 +1,22 @@
+// A grey picture as a function on texture space.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "craze/base/tensor.h"
+
+namespace craze {
+
+/// Rows from the top; 0 black, 1 white, as stored (no gamma). Empty: not given.
+struct GreyImage {
+  std::int32_t width = 0, height = 0;
+  std::vector<float> pixels;  ///< width · height
+
+  bool empty() const { return pixels.empty(); }
+  /// Bilinear between pixel centres; u runs right and v up from the lower left corner, both repeat.
+  /// Not for an empty image; a uv that is not finite counts as (0, 0).
+  double sample(const Vec2& uv) const;
+};
+
+}  // namespace craze

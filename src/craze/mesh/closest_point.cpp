@@ -1,0 +1,144 @@
+#include "craze/mesh/closest_point.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace craze {
+
+namespace {
+
+constexpr std::int32_t leaf_size = 4;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double squared_distance(const Vec3& low, const Vec3& high, const Vec3& p) {
+  return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
+}
+
+}  // namespace
+
+Vec3 nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const Vec3 bp = p - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    const double t = d1 / (d1 - d3);
+    return {1 - t, t, 0};
+  }
+  const Vec3 cp = p - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    const double t = d2 / (d2 - d6);
+    return {1 - t, 0, t};
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - t, t};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+ClosestPoint::ClosestPoint(const std::vector<Vec3>& positions,
+                           const std::vector<Triangle>& triangles, std::vector<std::int32_t> labels)
+    : positions_(positions), triangles_(triangles), labels_(std::move(labels)) {
+  normals_.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    const Vec3& a = positions[t[0]];
+    normals_.emplace_back((positions[t[1]] - a).cross(positions[t[2]] - a).normalized());
+  }
+  build();
+}
+
+void ClosestPoint::build() {
+  order_.resize(triangles_.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  if (order_.empty()) return;
+  std::vector<Vec3> centers;
+  centers.reserve(triangles_.size());
+  for (const Triangle& t : triangles_) {
+    centers.emplace_back((positions_[t[0]] + positions_[t[1]] + positions_[t[2]]) / 3);
+  }
+  nodes_.push_back({Vec3::Zero(), Vec3::Zero(), 0, static_cast<std::int32_t>(order_.size())});
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const std::int32_t first = nodes_[n].first, count = nodes_[n].count;
+    Vec3 low = Vec3::Constant(infinity), high = -low, center_low = low, center_high = high;
+    for (std::int32_t i = first; i < first + count; ++i) {
+      for (std::int32_t v : triangles_[order_[i]]) {
+        low = low.cwiseMin(positions_[v]);
+        high = high.cwiseMax(positions_[v]);
+      }
+      center_low = center_low.cwiseMin(centers[order_[i]]);
+      center_high = center_high.cwiseMax(centers[order_[i]]);
+    }
+    nodes_[n].low = low;
+    nodes_[n].high = high;
+    if (count <= leaf_size) continue;
+    int axis = 0;
+    (center_high - center_low).maxCoeff(&axis);
+    const std::int32_t half = count / 2;
+    std::nth_element(order_.begin() + first, order_.begin() + first + half,
+                     order_.begin() + first + count, [&](std::int32_t f, std::int32_t g) {
+                       const double x = centers[f][axis], y = centers[g][axis];
+                       return x < y || (x == y && f < g);
+                     });
+    nodes_[n].first = static_cast<std::int32_t>(nodes_.size());
+    nodes_[n].count = 0;
+    nodes_.push_back({Vec3::Zero(), Vec3::Zero(), first, half});
+    nodes_.push_back({Vec3::Zero(), Vec3::Zero(), first + half, count - half});
+  }
+}
+
+bool ClosestPoint::accepts(std::int32_t f, const Filter& filter) const {
+  return (filter.label < 0 || labels_[f] == filter.label) && normals_[f].dot(filter.normal) >= 0;
+}
+
+void ClosestPoint::improve(Hit& best, std::int32_t f, const Vec3& point) const {
+  const Triangle& t = triangles_[f];
+  const Vec3 &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
+  const Vec3 w = nearest_weights(point, a, b, c);
+  const Vec3 at = w[0] * a + w[1] * b + w[2] * c;
+  const double distance = (at - point).squaredNorm();
+  if (distance < best.distance) best = {f, w, at, distance};
+}
+
+ClosestPoint::Hit ClosestPoint::find(const Vec3& point, const Filter& filter) const {
+  Hit best{-1, Vec3::Zero(), point, infinity};  // its distance is squared until the end
+  if (nodes_.empty()) return best;
+  if (filter.hint >= 0 && accepts(filter.hint, filter)) improve(best, filter.hint, point);
+  struct Entry {
+    std::int32_t node;
+    double distance;
+  };
+  std::array<Entry, 128> stack;  // two entries per level of a balanced tree of at most 2³¹ faces
+  std::size_t top = 0;
+  stack[top++] = {0, squared_distance(nodes_[0].low, nodes_[0].high, point)};
+  while (top > 0) {
+    const Entry e = stack[--top];
+    if (e.distance >= best.distance) continue;
+    const Node& node = nodes_[e.node];
+    for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+      if (accepts(order_[i], filter)) improve(best, order_[i], point);
+    }
+    if (node.count > 0) continue;
+    Entry near{node.first, 0}, far{node.first + 1, 0};
+    near.distance = squared_distance(nodes_[near.node].low, nodes_[near.node].high, point);
+    far.distance = squared_distance(nodes_[far.node].low, nodes_[far.node].high, point);
+    if (far.distance < near.distance) std::swap(near, far);
+    stack[top++] = far;
+    stack[top++] = near;
+  }
+  best.distance = std::sqrt(best.distance);
+  return best;
+}
+
+}  // namespace craze

@@ -1,0 +1,84 @@
+// Triangles with adjacency, made to be remeshed: edges split, collapse and flip.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "craze/mesh/surface_mesh.h"
+
+namespace craze {
+
+/// Like TriangleMesh, halfedge 3f+i runs from corner i to corner i+1 of face f. Every edit keeps
+/// the surface manifold and its topology. Removed faces stay as holes in the numbering (is_face)
+/// until compact() is asked for. Each edge carries a mark that passes to its parts; 0 is free to
+/// flip, anything else is kept as a line.
+class EditMesh {
+ public:
+  /// The triangles must suit the constructor of TriangleMesh, which throws what it finds.
+  /// marks: 3 #F, the same on both sides of an edge.
+  EditMesh(std::vector<Vec3> positions, std::vector<Triangle> triangles, std::vector<char> marks);
+
+  std::int32_t vertex_count() const { return static_cast<std::int32_t>(positions_.size()); }
+  std::int32_t face_slots() const { return static_cast<std::int32_t>(triangles_.size()); }
+  std::int32_t halfedge_slots() const { return 3 * face_slots(); }
+  bool is_face(std::int32_t f) const { return triangles_[f][0] >= 0; }
+  bool is_vertex(std::int32_t v) const { return first_[v] >= 0; }
+  const Triangle& triangle(std::int32_t f) const { return triangles_[f]; }
+  const Vec3& position(std::int32_t v) const { return positions_[v]; }
+  void move(std::int32_t v, const Vec3& p) { positions_[v] = p; }
+
+  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static std::int32_t prev(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  std::int32_t from(std::int32_t h) const { return triangles_[h / 3][h % 3]; }
+  std::int32_t to(std::int32_t h) const { return from(next(h)); }
+  std::int32_t apex(std::int32_t h) const { return from(prev(h)); }
+  /// −1 on a border.
+  std::int32_t opposite(std::int32_t h) const { return opposite_[h]; }
+  char mark(std::int32_t h) const { return marks_[h]; }
+  /// One of the two sides stands for the edge.
+  bool is_edge(std::int32_t h) const { return is_face(h / 3) && opposite_[h] < h; }
+
+  /// The halfedges leaving v, one per face of its star, counter-clockwise.
+  template <class Visit>
+  void for_each_outgoing(std::int32_t v, Visit&& visit) const {
+    const std::int32_t begin = first_[v];
+    for (std::int32_t h = begin; h >= 0;) {
+      visit(h);
+      h = opposite_[prev(h)];
+      if (h == begin) return;
+    }
+  }
+  bool is_border_vertex(std::int32_t v) const { return opposite_[first_[v]] < 0; }
+  bool are_neighbours(std::int32_t v, std::int32_t w) const;
+  /// How many marked edges meet at v.
+  int count_marked(std::int32_t v) const;
+
+  /// Puts a vertex at p on edge h; returns it. h then runs from(h) → new vertex.
+  std::int32_t split(std::int32_t h, const Vec3& p);
+  /// True if from(h) can be merged into to(h) without harm to the topology or to marked lines: only
+  /// a vertex without marks, or one inside a marked line along that line, may go.
+  bool can_collapse(std::int32_t h) const;
+  /// Merges from(h) into to(h), which stays where it is. Needs can_collapse(h).
+  void collapse(std::int32_t h);
+  /// True if the edge has two faces, no mark, and the other diagonal does not exist already.
+  bool can_flip(std::int32_t h) const;
+  /// Replaces the edge by the other diagonal of its two faces. Needs can_flip(h).
+  void flip(std::int32_t h);
+
+  /// The triangles that are left, on the vertices that are left; `kept` receives, for each of
+  /// these vertices, its index before.
+  std::vector<Triangle> compact(std::vector<std::int32_t>& kept) const;
+
+ private:
+  void link(std::int32_t g, std::int32_t h);
+  void remove_face_of(std::int32_t h);
+  void refresh_first(std::int32_t v, std::int32_t h);
+
+  std::vector<Vec3> positions_;
+  std::vector<Triangle> triangles_;     // {−1, −1, −1}: removed
+  std::vector<std::int32_t> opposite_;  // 3 #F
+  std::vector<char> marks_;             // 3 #F
+  std::vector<std::int32_t> first_;     // #V: starts the fan; −1: removed
+};
+
+}  // namespace craze

@@ -1,0 +1,177 @@
+#include "craze/mesh/transfer_attributes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace craze {
+
+namespace {
+
+constexpr double snap = 1e-9;
+
+/// The sum of weight × value(corner) over the corners that count; a corner alone is an exact copy.
+template <class Value>
+auto interpolate(const TrianglePoint& at, Value&& value) {
+  auto sum = value(at.corners[0]);
+  if (at.weights[0] == 1) return sum;
+  sum *= at.weights[0];
+  for (int i = 1; i < 3; ++i) {
+    if (at.weights[i] != 0) sum += at.weights[i] * value(at.corners[i]);
+  }
+  return sum;
+}
+
+TrianglePoint at_corner(std::int32_t c) {
+  return {{c, (c + 1) % 3, (c + 2) % 3}, {1, 0, 0}};
+}
+
+/// The nearest point of the edge between two corners, the lower vertex first.
+TrianglePoint on_edge(const SurfaceMesh& surface, std::int32_t f, const Vec3& p, std::int32_t a,
+                      std::int32_t b) {
+  const Triangle& t = surface.triangles[f];
+  if (t[a] > t[b]) std::swap(a, b);
+  const Vec3& origin = surface.positions[t[a]];
+  const Vec3 edge = surface.positions[t[b]] - origin;
+  const double squared = edge.squaredNorm();
+  const double s = squared > 0 ? std::clamp((p - origin).dot(edge) / squared, 0.0, 1.0) : 0;
+  if (s < snap) return at_corner(a);
+  if (s > 1 - snap) return at_corner(b);
+  return {{a, b, 3 - a - b}, {1 - s, s, 0}};
+}
+
+std::vector<Vec2> transfer_uvs(const SurfaceMesh& surface, const TriangleMesh& cut,
+                               const std::vector<TrianglePoint>& points) {
+  std::vector<Vec2> uvs(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::size_t first = 3 * static_cast<std::size_t>(cut.source_face(k / 3));
+    uvs[k] = interpolate(points[k], [&](int c) -> Vec2 { return surface.corner_uvs[first + c]; });
+  }
+  return uvs;
+}
+
+std::vector<Vec3> transfer_normals(const SurfaceMesh& surface, const TriangleMesh& cut,
+                                   const std::vector<TrianglePoint>& points) {
+  std::vector<Vec3> normals(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::size_t first = 3 * static_cast<std::size_t>(cut.source_face(k / 3));
+    const auto value = [&](int c) -> Vec3 { return surface.corner_normals[first + c]; };
+    normals[k] = interpolate(points[k], value);
+    if (points[k].weights[0] == 1) continue;
+    // Opposite normals at a fold cancel: take the nearest corner's.
+    const double length = normals[k].norm();
+    if (length > snap) {
+      normals[k] /= length;
+    } else {
+      const auto& w = points[k].weights;
+      normals[k] = value(points[k].corners[std::max_element(w.begin(), w.end()) - w.begin()]);
+    }
+  }
+  return normals;
+}
+
+Attribute transfer_face_attribute(const Attribute& source, const TriangleMesh& cut) {
+  Attribute result{source.name, source.components, {}};
+  result.values.reserve(static_cast<std::size_t>(cut.face_count()) * source.components);
+  for (std::int32_t f = 0; f < cut.face_count(); ++f) {
+    const auto begin =
+        source.values.begin() + static_cast<std::ptrdiff_t>(cut.source_face(f)) * source.components;
+    result.values.insert(result.values.end(), begin, begin + source.components);
+  }
+  return result;
+}
+
+/// One corner of each vertex of the cut mesh; −1 where it has no face.
+std::vector<std::int32_t> corner_of_each_vertex(const TriangleMesh& cut) {
+  std::vector<std::int32_t> corners(cut.vertex_count());
+  for (std::int32_t v = 0; v < cut.vertex_count(); ++v) corners[v] = cut.first_halfedge(v);
+  return corners;
+}
+
+}  // namespace
+
+TrianglePoint locate_in_triangle(const SurfaceMesh& surface, std::int32_t f, const Vec3& p) {
+  const Triangle& t = surface.triangles[f];
+  const Vec3 &a = surface.positions[t[0]], &b = surface.positions[t[1]],
+             &c = surface.positions[t[2]];
+  for (std::int32_t i = 0; i < 3; ++i) {
+    if (p == surface.positions[t[i]]) return at_corner(i);
+  }
+  const Vec3 normal = (b - a).cross(c - a);
+  const double squared = normal.squaredNorm();
+  const double edges[3] = {(c - b).squaredNorm(), (a - c).squaredNorm(), (b - a).squaredNorm()};
+  const auto longest = static_cast<std::int32_t>(std::max_element(edges, edges + 3) - edges);
+  // A triangle without area is as good as its longest edge.
+  if (!(squared > snap * snap * edges[longest] * edges[longest])) {
+    return on_edge(surface, f, p, (longest + 1) % 3, (longest + 2) % 3);
+  }
+  const double w[3] = {normal.dot((c - b).cross(p - b)) / squared,
+                       normal.dot((a - c).cross(p - c)) / squared,
+                       normal.dot((b - a).cross(p - a)) / squared};
+  const auto least = static_cast<std::int32_t>(std::min_element(w, w + 3) - w);
+  if (w[least] < snap) return on_edge(surface, f, p, (least + 1) % 3, (least + 2) % 3);
+  return {{0, 1, 2}, {w[0], w[1], 1 - w[0] - w[1]}};
+}
+
+SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& cut) {
+  SurfaceMesh result;
+  result.positions = cut.positions();
+  result.triangles = cut.triangles();
+  std::vector<TrianglePoint> points(3 * result.triangles.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto h = static_cast<std::int32_t>(k);
+    points[k] = locate_in_triangle(surface, cut.source_face(h / 3), cut.position(cut.from(h)));
+  }
+  if (!surface.corner_uvs.empty()) result.corner_uvs = transfer_uvs(surface, cut, points);
+  if (!surface.corner_normals.empty()) {
+    result.corner_normals = transfer_normals(surface, cut, points);
+  }
+
+  const std::vector<std::int32_t> corner = corner_of_each_vertex(cut);
+  // Calls take(v, source vertices, weights) for each vertex of the cut mesh.
+  const auto for_each_vertex = [&](auto&& take) {
+    for (std::int32_t v = 0; v < cut.vertex_count(); ++v) {
+      if (corner[v] < 0) {
+        take(v, Triangle{cut.root(v), cut.root(v), cut.root(v)}, at_corner(0));
+      } else {
+        take(v, surface.triangles[cut.source_face(corner[v] / 3)], points[corner[v]]);
+      }
+    }
+  };
+  if (!surface.vertex_colors.empty()) {
+    result.vertex_colors.resize(cut.vertex_count());
+    for_each_vertex([&](std::int32_t v, const Triangle& t, const TrianglePoint& at) {
+      for (std::size_t channel = 0; channel < 4; ++channel) {
+        result.vertex_colors[v][channel] = static_cast<float>(
+            interpolate(at, [&](int c) -> double { return surface.vertex_colors[t[c]][channel]; }));
+      }
+    });
+  }
+  for (const Attribute& source : surface.vertex_attributes) {
+    Attribute a{source.name, source.components, {}};
+    a.values.resize(static_cast<std::size_t>(cut.vertex_count()) * a.components);
+    for_each_vertex([&](std::int32_t v, const Triangle& t, const TrianglePoint& at) {
+      for (int i = 0; i < a.components; ++i) {
+        a.values[static_cast<std::size_t>(v) * a.components + i] =
+            interpolate(at, [&](int c) -> double {
+              return source.values[static_cast<std::size_t>(t[c]) * a.components + i];
+            });
+      }
+    });
+    result.vertex_attributes.push_back(std::move(a));
+  }
+
+  for (const Attribute& source : surface.face_attributes) {
+    result.face_attributes.push_back(transfer_face_attribute(source, cut));
+  }
+  result.material_names = surface.material_names;
+  const bool has_materials = !surface.face_materials.empty();
+  const bool has_sources = !surface.source_faces.empty();
+  for (std::int32_t f = 0; f < cut.face_count(); ++f) {
+    const std::int32_t source = cut.source_face(f);
+    if (has_materials) result.face_materials.push_back(surface.face_materials[source]);
+    result.source_faces.push_back(has_sources ? surface.source_faces[source] : source);
+  }
+  return result;
+}
+
+}  // namespace craze

@@ -1,0 +1,25 @@
+#include "craze/model/evolution.h"
+
+#include "craze/model/basis_matrix.h"
+#include "craze/model/euler_evolution.h"
+#include "craze/model/quasistatic_evolution.h"
+
+namespace craze {
+
+std::unique_ptr<Evolution> make_evolution(const TriangleMesh& mesh,
+                                          const SimulationParameters& parameters,
+                                          const EvolutionInputs& inputs) {
+  if (parameters.engine == Engine::euler) {
+    return std::make_unique<EulerEvolution>(mesh, parameters, inputs);
+  }
+  return std::make_unique<QuasistaticEvolution>(mesh, parameters, inputs);
+}
+
+double engine_singular_value_cap(const TriangleMesh& mesh, Engine engine) {
+  // The equilibrium solver is stable with any element: there the cap only keeps the stiffest
+  // slivers from costing iterations.
+  constexpr double implicit_factor = 10;
+  return singular_value_cap(mesh) * (engine == Engine::euler ? 1 : implicit_factor);
+}
+
+}  // namespace craze

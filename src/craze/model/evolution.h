@@ -1,0 +1,64 @@
+// Step 3b of the main loop: how the stress changes between two cracks. One class per engine.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "craze/model/crack_insertion.h"
+#include "craze/model/parameters.h"
+#include "craze/model/stress_field.h"
+
+namespace craze {
+
+/// An engine. The stored stress field is the one at load 1; the true one is load() times it.
+class Evolution {
+ public:
+  virtual ~Evolution() = default;
+  Evolution() = default;
+  Evolution(const Evolution&) = delete;
+  Evolution& operator=(const Evolution&) = delete;
+
+  /// Nodes that are held; may be shorter than #V, the rest is free.
+  virtual std::vector<char>& fixed() = 0;
+  /// Takes note of a crack; nothing is relaxed yet.
+  virtual void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) = 0;
+  /// Brings the field up to the next moment at which cracks are looked for. Appends the nodes whose
+  /// separation tensor may have changed, in any order, with repeats.
+  virtual void evolve(StressField& field, const TriangleMesh& mesh, int threads,
+                      std::vector<std::int32_t>& changed) = 0;
+  /// Asked where no node fails at the present load and the next would at `needed` (∞: none ever
+  /// does). Returns whether to go on, having raised the load if that is this engine's way.
+  virtual bool advance(double needed) = 0;
+
+  /// Factor on the stored stress.
+  virtual double load() const = 0;
+  /// Factor up to which the load can still grow: nodes that fail below it stay in the queue.
+  virtual double highest_load() const = 0;
+  /// What a crack opening now is dated with: simulated time (euler), the load factor s
+  /// (quasistatic).
+  virtual double time() const = 0;
+  /// How far apart two failing nodes must be to be cracked in one step; ∞: one at a time.
+  virtual double independence_distance() const = 0;
+  virtual std::int64_t element_updates() const = 0;
+  /// Mean tension over the initial one, for the report.
+  virtual double reported_load() const = 0;
+  /// Whether advance() said no because the limit on the load was reached.
+  virtual bool reached_max_load() const = 0;
+};
+
+struct EvolutionInputs {
+  double initial_tension = 0;                 ///< area mean of tr σ₀ / 2, force/length
+  const std::vector<Sym3>* growth = nullptr;  ///< per input face, added per step, or empty
+  std::vector<char> fixed;
+};
+
+/// The engine that the parameters name.
+std::unique_ptr<Evolution> make_evolution(const TriangleMesh& mesh,
+                                          const SimulationParameters& parameters,
+                                          const EvolutionInputs& inputs);
+
+/// The limit on β's singular values that the engine needs, 1/length (basis_matrix.h).
+double engine_singular_value_cap(const TriangleMesh& mesh, Engine engine);
+
+}  // namespace craze

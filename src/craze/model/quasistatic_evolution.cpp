@@ -1,0 +1,91 @@
+#include "craze/model/quasistatic_evolution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "craze/base/error.h"
+#include "craze/model/screening.h"
+
+namespace craze {
+
+namespace {
+
+// The largest force left on a node at a crack decision, as part of the force at which nodes fail.
+constexpr double relative_residual = 1e-3;
+// A change is first solved for within this many screening lengths; what leaks out is followed.
+constexpr double patch_radius = 2.0;
+// Failing nodes farther apart than this many screening lengths are cracked in one step.
+constexpr double independence = 6.0;
+
+// Equilibrium is tightened everywhere each time the load has grown by this factor.
+constexpr double accuracy_step = 1.25;
+
+double longest_edge(const TriangleMesh& mesh) {
+  double longest = 0;
+  for (const Triangle& t : mesh.triangles()) {
+    for (int i = 0; i < 3; ++i) {
+      longest =
+          std::max(longest, (mesh.position(t[i]) - mesh.position(t[(i + 1) % 3])).squaredNorm());
+    }
+  }
+  return std::sqrt(longest);
+}
+
+}  // namespace
+
+QuasistaticEvolution::QuasistaticEvolution(const TriangleMesh& mesh,
+                                           const SimulationParameters& parameters,
+                                           const EvolutionInputs& inputs)
+    : parameters_(parameters.evolution),
+      failure_force_(parameters.material.toughness),
+      independence_(independence * screening_length(parameters.layer)),
+      equilibrium_({adhesion(parameters.layer), relative_residual * failure_force_,
+                    patch_radius * screening_length(parameters.layer), longest_edge(mesh)}) {
+  if (!(adhesion(parameters.layer) > 0)) {
+    throw Error(ErrorKind::request, "engine quasistatic needs adhesion", "layer",
+                "set layer.spacing or layer.screening_length, or engine = \"euler\"");
+  }
+  equilibrium_.fixed = inputs.fixed;
+}
+
+void QuasistaticEvolution::mesh_changed(const TriangleMesh&, const CrackOutcome& outcome) {
+  seeds_.insert(seeds_.end(), outcome.changed_nodes.begin(), outcome.changed_nodes.end());
+}
+
+void QuasistaticEvolution::evolve(StressField& field, const TriangleMesh& mesh, int threads,
+                                  std::vector<std::int32_t>& changed) {
+  // Forces are stored at load 1, where nodes fail at failure_force_ / load: as the load grows, what
+  // was close enough to equilibrium has to be brought closer.
+  if (load_ >= accurate_up_to_) {
+    accurate_up_to_ = load_ > 0 ? std::min(accuracy_step * load_, 2 * parameters_.max_load)
+                                : parameters_.max_load;
+    equilibrium_.set_tolerance(relative_residual * failure_force_ / accurate_up_to_);
+    seeds_.resize(mesh.vertex_count());
+    std::iota(seeds_.begin(), seeds_.end(), 0);
+  }
+  std::sort(seeds_.begin(), seeds_.end());
+  seeds_.erase(std::unique(seeds_.begin(), seeds_.end()), seeds_.end());
+  const std::size_t first = changed.size();
+  equilibrium_.restore(field, mesh, seeds_, threads, changed);
+  seeds_.clear();
+  const std::size_t last = changed.size();
+  for (std::size_t i = first; i < last; ++i) {
+    mesh.for_each_outgoing(std::int32_t{changed[i]}, [&](std::int32_t h) {
+      changed.push_back(mesh.to(h));
+      changed.push_back(mesh.from(TriangleMesh::prev(h)));
+    });
+  }
+}
+
+bool QuasistaticEvolution::advance(double needed) {
+  if (needed > parameters_.max_load) {
+    reached_max_load_ = std::isfinite(needed);
+    load_ = reached_max_load_ ? parameters_.max_load : load_;
+    return false;
+  }
+  load_ = std::max(load_, needed);
+  return true;
+}
+
+}  // namespace craze

@@ -1,0 +1,42 @@
+// engine = "quasistatic": equilibrium at every crack, load from event to event.
+#pragma once
+
+#include "craze/model/equilibrium.h"
+#include "craze/model/evolution.h"
+
+namespace craze {
+
+/// All sources are scaled by one load factor s, so between two cracks the field is s times the one
+/// stored and the load of the next failure is known in closed form: no time is spent waiting.
+/// After a crack, equilibrium is restored around it (equilibrium.h).
+class QuasistaticEvolution : public Evolution {
+ public:
+  /// Throws Error(request) without adhesion: nothing screens a crack then.
+  QuasistaticEvolution(const TriangleMesh& mesh, const SimulationParameters& parameters,
+                       const EvolutionInputs& inputs);
+
+  std::vector<char>& fixed() override { return equilibrium_.fixed; }
+  void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) override;
+  void evolve(StressField& field, const TriangleMesh& mesh, int threads,
+              std::vector<std::int32_t>& changed) override;
+  bool advance(double needed) override;
+  double load() const override { return load_; }
+  double highest_load() const override { return parameters_.max_load; }
+  double time() const override { return load_; }
+  double independence_distance() const override { return independence_; }
+  std::int64_t element_updates() const override { return equilibrium_.element_updates(); }
+  double reported_load() const override { return load_; }
+  bool reached_max_load() const override { return reached_max_load_; }
+
+ private:
+  EvolutionParameters parameters_;
+  double failure_force_;
+  double independence_;
+  Equilibrium equilibrium_;
+  std::vector<std::int32_t> seeds_;
+  double load_ = 0;
+  double accurate_up_to_ = 0;
+  bool reached_max_load_ = false;
+};
+
+}  // namespace craze

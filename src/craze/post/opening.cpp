@@ -1,0 +1,102 @@
+#include "craze/post/opening.h"
+
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "craze/base/error.h"
+#include "craze/post/curl.h"
+#include "craze/post/side_walls.h"
+#include "craze/post/vertex_normals.h"
+
+namespace craze {
+
+namespace {
+
+void check(const TriangleMesh& mesh, const std::vector<Vec3>& displacement,
+           const OpeningOptions& options) {
+  const auto require = [](bool good, const char* where, const char* why) {
+    if (!good) throw Error(ErrorKind::request, "cannot open the cracks", where, why);
+  };
+  require(displacement.size() == mesh.positions().size(), "displacement",
+          "there must be one vector per vertex");
+  const auto is_length = [](double x) { return std::isfinite(x) && x >= 0; };
+  require(is_length(options.gap), "gap", "must be finite and not negative");
+  require(is_length(options.wall), "wall", "must be finite and not negative");
+  require(is_length(options.curl), "curl", "must be finite and not negative");
+  require(is_length(options.curl_length), "curl_length", "must be finite and not negative");
+}
+
+/// [IO06 Eq. 9] γ times the accumulated displacement.
+std::vector<Vec3> shifts(const TriangleMesh& mesh, const CrackSites& sites,
+                         const std::vector<Vec3>& displacement, const OpeningOptions& options) {
+  std::vector<Vec3> shift(displacement.size());
+  for (std::size_t v = 0; v < shift.size(); ++v) shift[v] = options.gap * displacement[v];
+  if (!options.keep_border) return shift;
+  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+    if (mesh.opposite(h) != TriangleMesh::border) continue;
+    for (const std::int32_t v : {mesh.from(h), mesh.to(h)}) {
+      if (sites.site_of[v] < 0) shift[v] = Vec3::Zero();
+    }
+  }
+  return shift;
+}
+
+void add_curl(const TriangleMesh& mesh, const CrackSites& sites, const std::vector<Vec3>& normals,
+              const OpeningOptions& options, std::vector<Vec3>& shift) {
+  std::vector<double> edge_lift(shift.size());
+  for (std::size_t v = 0; v < shift.size(); ++v) edge_lift[v] = options.curl * shift[v].norm();
+  const double length =
+      options.curl_length > 0 ? options.curl_length : natural_curl_length(mesh, sites);
+  const std::vector<double> lift = curl_lift(mesh, sites, edge_lift, length);
+  for (std::size_t v = 0; v < shift.size(); ++v) shift[v] += lift[v] * normals[v];
+}
+
+std::int32_t count_folded(const TriangleMesh& mesh, const std::vector<Vec3>& moved) {
+  const auto normal = [](const std::vector<Vec3>& p, const Triangle& t) -> Vec3 {
+    return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+  };
+  std::int32_t folded = 0;
+  for (const Triangle& t : mesh.triangles()) {
+    folded += normal(mesh.positions(), t).dot(normal(moved, t)) < 0 ? 1 : 0;
+  }
+  return folded;
+}
+
+void add_walls(const SideWalls& walls, OpenedMesh& opened) {
+  SurfaceMesh& mesh = opened.mesh;
+  mesh.positions.insert(mesh.positions.end(), walls.bottom.begin(), walls.bottom.end());
+  mesh.triangles.insert(mesh.triangles.end(), walls.triangles.begin(), walls.triangles.end());
+  mesh.face_materials.resize(mesh.triangles.size(), 0);
+  opened.vertex_of.insert(opened.vertex_of.end(), walls.vertex.begin(), walls.vertex.end());
+  opened.face_of.resize(mesh.triangles.size(), -1);
+}
+
+}  // namespace
+
+OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displacement,
+                       const OpeningOptions& options) {
+  check(mesh, displacement, options);
+  const CrackSites sites = crack_sites(mesh);
+  const std::vector<Vec3> normals = vertex_normals(mesh, sites);
+  std::vector<Vec3> shift = shifts(mesh, sites, displacement, options);
+  if (options.curl > 0) add_curl(mesh, sites, normals, options, shift);
+
+  OpenedMesh opened;
+  opened.mesh.positions = mesh.positions();
+  for (std::size_t v = 0; v < shift.size(); ++v) opened.mesh.positions[v] += shift[v];
+  opened.mesh.triangles = mesh.triangles();
+  opened.mesh.material_names = {"crack_wall"};
+  opened.mesh.face_materials.assign(mesh.triangles().size(), -1);
+  opened.vertex_of.resize(mesh.positions().size());
+  opened.face_of.resize(mesh.triangles().size());
+  std::iota(opened.vertex_of.begin(), opened.vertex_of.end(), 0);
+  std::iota(opened.face_of.begin(), opened.face_of.end(), 0);
+  opened.folded_faces = count_folded(mesh, opened.mesh.positions);
+  if (options.wall > 0) {
+    add_walls(side_walls(mesh, sites, normals, options.wall, options.border_wall), opened);
+  }
+  return opened;
+}
+
+}  // namespace craze

@@ -1,0 +1,92 @@
+#include "craze/render/camera.h"
+
+#include <limits>
+#include <numbers>
+
+namespace craze::render {
+
+namespace {
+
+struct Axes {
+  Vec3 up, right;
+  bool flat;
+};
+
+Axes choose_axes(const Vec3& extent, UpAxis up) {
+  constexpr double thin = 0.08;
+  const double size = extent.maxCoeff();
+  if (up == UpAxis::automatic) up = extent.z() < thin * size ? UpAxis::z : UpAxis::y;
+  const int axis = up == UpAxis::x ? 0 : up == UpAxis::y ? 1 : 2;
+  return {Vec3::Unit(axis), Vec3::Unit(axis == 0 ? 1 : 0), extent[axis] < thin * size};
+}
+
+/// The bounds of the points' sight lines to one side: the eye must lie between them.
+struct Support {
+  double positive = -std::numeric_limits<double>::infinity();
+  double negative = -std::numeric_limits<double>::infinity();
+
+  void add(double across, double along, double tangent) {
+    positive = std::max(positive, across - tangent * along);
+    negative = std::max(negative, -across - tangent * along);
+  }
+  double centre() const { return (positive - negative) / 2; }
+  double along(double tangent) const { return -(positive + negative) / (2 * tangent); }
+};
+
+/// Moves the eye sideways, nearer to where the points' picture is centred.
+void centre_picture(const std::vector<Vec3>& points, Camera& camera) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec2 low(infinity, infinity), high(-infinity, -infinity);
+  double depth = 0;
+  for (const Vec3& point : points) {
+    const Vec3 p = point - camera.eye;
+    const double along = p.dot(camera.forward);
+    const Vec2 seen = Vec2(p.dot(camera.right), p.dot(camera.up)) / along;
+    low = low.cwiseMin(seen);
+    high = high.cwiseMax(seen);
+    depth += along / static_cast<double>(points.size());
+  }
+  const Vec2 shift = depth / 2 * (low + high);
+  camera.eye += shift.x() * camera.right + shift.y() * camera.up;
+}
+
+}  // namespace
+
+Camera frame(const std::vector<Vec3>& points, const View& view, double aspect) {
+  Vec3 low = points.front(), high = points.front();
+  for (const Vec3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Axes axes = choose_axes(high - low, view.up);
+  const double degree = std::numbers::pi / 180;
+  const double azimuth = view.azimuth.value_or(axes.flat ? 0 : 25) * degree;
+
+  Camera camera;
+  camera.elevation = view.elevation.value_or(axes.flat ? 55 : 18);
+  camera.vertical = axes.up;
+  const Vec3 back = axes.up.cross(axes.right);  // away from the viewer at azimuth 0
+  const Vec3 level = std::sin(azimuth) * axes.right - std::cos(azimuth) * back;
+  const double e = camera.elevation * degree;
+  camera.forward = -(std::cos(e) * level + std::sin(e) * axes.up);
+  camera.right = std::cos(azimuth) * axes.right + std::sin(azimuth) * back;
+  camera.up = camera.right.cross(camera.forward);
+  camera.tan_y = std::tan(view.field_of_view * degree / 2);
+  camera.tan_x = camera.tan_y * aspect;
+
+  const double tx = camera.tan_x * (1 - 2 * view.margin), ty = camera.tan_y * (1 - 2 * view.margin);
+  Support x, y;
+  for (const Vec3& p : points) {
+    x.add(p.dot(camera.right), p.dot(camera.forward), tx);
+    y.add(p.dot(camera.up), p.dot(camera.forward), ty);
+  }
+  // A single point needs some distance too.
+  const double along = std::min(x.along(tx), y.along(ty)) - 1e-6 * (1 + (high - low).norm());
+  camera.eye = x.centre() * camera.right + y.centre() * camera.up + along * camera.forward;
+  // Where there is room to spare, the middle of the sight lines is not yet the middle of the
+  // picture.
+  for (int pass = 0; pass < 4; ++pass) centre_picture(points, camera);
+  return camera;
+}
+
+}  // namespace craze::render

@@ -1,0 +1,39 @@
+// A perspective camera that frames what it is shown.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "craze/base/tensor.h"
+
+namespace craze::render {
+
+enum class UpAxis { automatic, x, y, z };
+
+/// Where the picture is taken from. At azimuth 0 the first horizontal axis (x, or y when x is up)
+/// runs to the right; the camera moves to the right as the azimuth grows.
+struct View {
+  UpAxis up = UpAxis::automatic;    ///< automatic: z for a flat plate in the xy plane, else y
+  std::optional<double> azimuth;    ///< degrees; by default 0 for flat plates, 25 otherwise
+  std::optional<double> elevation;  ///< degrees above the horizon; by default 55 and 18
+  double field_of_view = 24;        ///< vertical, degrees
+  double margin = 0.08;             ///< free border, as a fraction of the picture
+};
+
+struct Camera {
+  Vec3 eye;
+  Vec3 right, up, forward;  ///< orthonormal
+  Vec3 vertical;            ///< unit, the world's up
+  double tan_x, tan_y;      ///< half extents of the picture at distance 1
+  double elevation;         ///< degrees
+
+  /// Towards a place on the picture, x to the right and y upwards in −1 … 1; length 1 along
+  /// `forward`.
+  Vec3 ray(double x, double y) const { return forward + x * tan_x * right + y * tan_y * up; }
+};
+
+/// The camera nearest to the points that has them all inside the margin. `aspect` is width over
+/// height. There must be at least one point.
+Camera frame(const std::vector<Vec3>& points, const View& view, double aspect);
+
+}  // namespace craze::render

@@ -1,0 +1,33 @@
+// How a surface and its cracks look.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "craze/render/color.h"
+
+namespace craze::render {
+
+struct Material {
+  std::string name;
+  Rgb color{0.5f, 0.5f, 0.5f};    ///< diffuse reflectance
+  Rgb wall{0.3f, 0.3f, 0.3f};     ///< diffuse reflectance of faces in the slot "crack_wall"
+  float mottle = 0;               ///< relative strength of the cloudy variation of the colour
+  float bump = 0;                 ///< 0 … 1, small unevenness of the surface
+  float coat = 0;                 ///< 0 … 1, how much of a clear, smooth coat lies on top
+  float gloss = 0;                ///< strength of a broad sheen, for rough surfaces
+  bool glass = false;             ///< clear: the colour is what one layer lets through
+  Rgb line{0.02f, 0.02f, 0.02f};  ///< colour in the core of a crack line
+  float line_strength = 1;        ///< 0 … 1, how much of the core colour is seen
+  float stain = 0;                ///< 0 … 1, darkening of the faint band beside a line
+  float groove = 0;               ///< 0 … 1, how deep the lines look engraved
+  Rgb backdrop = from_srgb(186, 187, 190);  ///< a background it looks good against
+};
+
+/// clay, mud, glaze, plaster, glass, paint.
+const std::vector<Material>& materials();
+
+/// The material of that name; throws Error(usage) listing the names.
+const Material& find_material(const std::string& name);
+
+}  // namespace craze::render

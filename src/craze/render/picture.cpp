@@ -1,0 +1,128 @@
+#include "craze/render/picture.h"
+
+#include <algorithm>
+#include <string>
+
+#include "craze/base/error.h"
+#include "craze/base/parallel.h"
+#include "craze/render/film.h"
+#include "craze/render/smooth_normals.h"
+#include "craze/render/studio.h"
+#include "craze/render/tracer.h"
+
+namespace craze::render {
+
+namespace {
+
+struct Bounds {
+  Vec3 centre;
+  double diagonal;
+};
+
+Bounds bounds(const std::vector<Vec3>& points) {
+  Vec3 low = points.front(), high = points.front();
+  for (const Vec3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return {(low + high) / 2, (high - low).norm()};
+}
+
+[[noreturn]] void refuse(const std::string& where, const std::string& why) {
+  throw Error(ErrorKind::request, "cannot draw a picture", where, why);
+}
+
+void check(const SurfaceMesh& mesh, const CrackLines* lines, const PictureOptions& options) {
+  const auto size_is_good = [](int n) { return n >= 1 && n <= 16384; };
+  if (!size_is_good(options.width) || !size_is_good(options.height)) {
+    refuse(std::to_string(options.width) + " x " + std::to_string(options.height),
+           "the size must be 1 to 16384 pixels");
+  }
+  if (options.samples < 1 || options.samples > 4096) {
+    refuse("samples " + std::to_string(options.samples), "must be 1 to 4096");
+  }
+  if (mesh.triangles.empty()) refuse("mesh", "it has no triangles");
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (!mesh.positions[v].allFinite()) {
+      refuse("vertex " + std::to_string(v), "its position is not finite");
+    }
+  }
+  if (lines && lines->cracks.first.size() > mesh.triangles.size() + 1) {
+    refuse("crack lines", "they belong to a mesh with more faces");
+  }
+}
+
+std::vector<std::uint8_t> find_walls(const SurfaceMesh& mesh) {
+  std::vector<std::uint8_t> is_wall(mesh.triangles.size(), 0);
+  for (std::size_t f = 0; f < mesh.face_materials.size(); ++f) {
+    const std::int32_t m = mesh.face_materials[f];
+    is_wall[f] = m >= 0 && mesh.material_names[m] == "crack_wall" ? 1 : 0;
+  }
+  return is_wall;
+}
+
+/// The mesh's own normals where it has them.
+std::vector<Vec3f> shading_normals(const SurfaceMesh& mesh, double crease) {
+  if (mesh.corner_normals.size() != 3 * mesh.triangles.size()) return smooth_normals(mesh, crease);
+  std::vector<Vec3f> normals;
+  normals.reserve(mesh.corner_normals.size());
+  for (const Vec3& n : mesh.corner_normals) normals.push_back(n.cast<float>());
+  return normals;
+}
+
+}  // namespace
+
+double line_width(const SurfaceMesh& mesh, const PictureOptions& options) {
+  if (options.line_width > 0 || mesh.positions.empty()) return options.line_width;
+  return 0.0021 * bounds(mesh.positions).diagonal;
+}
+
+double line_reach(const SurfaceMesh& mesh, const PictureOptions& options) {
+  return LinePainter::reach * line_width(mesh, options);
+}
+
+Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
+                     const PictureOptions& options, const Context& context) {
+  check(mesh, lines, options);
+  const Bounds box = bounds(mesh.positions);
+  const double scale = box.diagonal > 0 ? 1 / box.diagonal : 1;
+
+  TracedModel model;
+  model.positions.reserve(mesh.positions.size());
+  for (const Vec3& p : mesh.positions) model.positions.push_back(scale * (p - box.centre));
+  model.triangles = mesh.triangles;
+  model.normals = shading_normals(mesh, options.crease);
+  model.is_wall = find_walls(mesh);
+  const LinePainter painter(lines ? *lines : CrackLines{}, box.centre, scale,
+                            scale * line_width(mesh, options) / 2);
+  model.lines = lines ? &painter : nullptr;
+
+  const Camera camera =
+      frame(model.positions, options.view, static_cast<double>(options.width) / options.height);
+  const Studio studio(camera, options.backdrop.value_or(options.material.backdrop));
+  const int groups = (options.samples + RayScene::lanes - 1) / RayScene::lanes;
+  const Tracer tracer(model, options.material, camera, studio, options.ground, groups,
+                      options.seed);
+
+  Film film(options.width, options.height);
+  constexpr int band = 64;  // rows between two reports
+  for (int top = 0; top < options.height; top += band) {
+    context.report({.phase = "picture", .fraction = static_cast<double>(top) / options.height});
+    const int rows = std::min(band, options.height - top);
+    parallel_for(context.threads, static_cast<std::size_t>(rows), 1,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (int y = top + static_cast<int>(begin); y < top + static_cast<int>(end);
+                        ++y) {
+                     for (int x = 0; x < options.width; ++x) {
+                       film.at(x, y) = tracer.trace(x, y, options.width, options.height);
+                     }
+                   }
+                 });
+  }
+  const double distance = -camera.eye.dot(camera.forward);
+  film.smooth_light(context.threads,
+                    static_cast<float>(distance * 2 * camera.tan_y / options.height));
+  return film.develop(options.exposure);
+}
+
+}  // namespace craze::render

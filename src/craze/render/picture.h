@@ -1,0 +1,43 @@
+// A mesh and its cracks, photographed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "craze/base/context.h"
+#include "craze/mesh/surface_mesh.h"
+#include "craze/render/camera.h"
+#include "craze/render/crack_lines.h"
+#include "craze/render/image.h"
+#include "craze/render/material.h"
+
+namespace craze::render {
+
+struct PictureOptions {
+  int width = 1280, height = 960;  ///< pixels
+  int samples = 16;                ///< per pixel, rounded up to a multiple of 16
+  View view;
+  Material material = find_material("clay");
+  std::optional<Rgb> backdrop;  ///< by default the material's
+  bool ground = true;           ///< a floor that catches the shadow
+  double line_width = 0;  ///< of a crack line, model units; 0: a fixed part of the mesh's diagonal
+  double crease = 50;     ///< degrees: sharper edges are shaded as edges, if normals are not given
+  float exposure = 1;
+  std::uint64_t seed = 1;
+};
+
+/// The width of crack lines that a picture of this mesh will use, model units.
+double line_width(const SurfaceMesh& mesh, const PictureOptions& options);
+
+/// How far from a crack its line reaches: the distance to bake crack_lines() with.
+double line_reach(const SurfaceMesh& mesh, const PictureOptions& options);
+
+/// Shaded with the mesh's corner normals if it has them. Faces in the material slot "crack_wall"
+/// take the material's wall colour. `lines` may be null; they belong to the first faces of `mesh`,
+/// and faces beyond them, such as walls, have none. The picture does not depend on the number of
+/// threads. Throws Error(request) for an empty mesh, a mesh that is not finite, or a size out of 1
+/// … 16384.
+Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
+                     const PictureOptions& options, const Context& context);
+
+}  // namespace craze::render

@@ -1,0 +1,14 @@
+// Pictures as PNG files.
+#pragma once
+
+#include <string>
+
+#include "craze/render/image.h"
+
+namespace craze::render {
+
+/// Writes beside `path` and renames, so no partial file is ever left. Throws Error(output) naming
+/// the path.
+void write_png(const std::string& path, const Image& image);
+
+}  // namespace craze::render

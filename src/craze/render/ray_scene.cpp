@@ -1,0 +1,125 @@
+#include "craze/render/ray_scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <limits>
+#include <new>
+
+namespace craze::render {
+
+struct RayScene::Handles {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  ~Handles() {
+    if (scene) rtcReleaseScene(scene);
+    if (device) rtcReleaseDevice(device);
+  }
+};
+
+namespace {
+
+using Mask = std::array<int, RayScene::lanes>;
+
+template <class Packet>
+void load(const RayScene::Rays& rays, Packet& packet, Mask& valid) {
+  for (int i = 0; i < RayScene::lanes; ++i) {
+    const Ray& ray = rays[i];
+    valid[i] = ray.active ? -1 : 0;
+    packet.org_x[i] = ray.origin.x();
+    packet.org_y[i] = ray.origin.y();
+    packet.org_z[i] = ray.origin.z();
+    packet.dir_x[i] = ray.direction.x();
+    packet.dir_y[i] = ray.direction.y();
+    packet.dir_z[i] = ray.direction.z();
+    packet.tnear[i] = ray.near;
+    packet.tfar[i] = std::numeric_limits<float>::infinity();
+    packet.time[i] = 0;
+    packet.mask[i] = ~0u;
+    packet.id[i] = i;
+    packet.flags[i] = 0;
+  }
+}
+
+}  // namespace
+
+RayScene::RayScene(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles)
+    : handles_(std::make_unique<Handles>()) {
+  handles_->device = rtcNewDevice(nullptr);
+  if (!handles_->device) throw std::bad_alloc();
+  handles_->scene = rtcNewScene(handles_->device);
+  rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), positions.size()));
+  auto* corners = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              3 * sizeof(std::uint32_t), triangles.size()));
+  if (!vertices || !corners) {
+    rtcReleaseGeometry(geometry);
+    throw std::bad_alloc();
+  }
+  for (const Vec3& p : positions) {
+    for (int k = 0; k < 3; ++k) *vertices++ = static_cast<float>(p[k]);
+  }
+  for (const Triangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) *corners++ = static_cast<std::uint32_t>(t[k]);
+  }
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(handles_->scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(handles_->scene);
+}
+
+RayScene::~RayScene() = default;
+
+void RayScene::intersect(const Rays& rays, Hits& hits) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  RTCRayHit16 packet;
+  alignas(64) Mask valid;
+  load(rays, packet.ray, valid);
+  for (unsigned& id : packet.hit.geomID) id = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect16(valid.data(), handles_->scene, &context, &packet);
+  for (int i = 0; i < lanes; ++i) {
+    const bool hit = rays[i].active && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+    hits[i] = hit ? Hit{static_cast<std::int32_t>(packet.hit.primID[i]), packet.ray.tfar[i],
+                        packet.hit.u[i], packet.hit.v[i]}
+                  : Hit{};
+  }
+}
+
+Hit RayScene::intersect(const Ray& ray) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit r;
+  r.ray.org_x = ray.origin.x();
+  r.ray.org_y = ray.origin.y();
+  r.ray.org_z = ray.origin.z();
+  r.ray.dir_x = ray.direction.x();
+  r.ray.dir_y = ray.direction.y();
+  r.ray.dir_z = ray.direction.z();
+  r.ray.tnear = ray.near;
+  r.ray.tfar = std::numeric_limits<float>::infinity();
+  r.ray.time = 0;
+  r.ray.mask = ~0u;
+  r.ray.id = 0;
+  r.ray.flags = 0;
+  r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(handles_->scene, &context, &r);
+  if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return {static_cast<std::int32_t>(r.hit.primID), r.ray.tfar, r.hit.u, r.hit.v};
+}
+
+void RayScene::occluded(const Rays& rays, Flags& hit) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay16 packet;
+  alignas(64) Mask valid;
+  load(rays, packet, valid);
+  rtcOccluded16(valid.data(), handles_->scene, &context, &packet);
+  // Embree marks a hit by an infinite negative far distance.
+  for (int i = 0; i < lanes; ++i) hit[i] = rays[i].active && packet.tfar[i] < 0;
+}
+
+}  // namespace craze::render

@@ -1,0 +1,41 @@
+// The light a picture is taken in: one large lamp, a bright tent around it, a grey backdrop.
+#pragma once
+
+#include "craze/render/camera.h"
+#include "craze/render/color.h"
+
+namespace craze::render {
+
+class Studio {
+ public:
+  /// The lamp stands to the left of the camera, and behind the object when seen from above, so that
+  /// relief always shows.
+  Studio(const Camera& camera, const Rgb& backdrop);
+
+  const Vec3f& vertical() const { return vertical_; }
+  const Vec3f& lamp_direction() const { return lamp_; }
+  /// Tangent of the half angle under which the lamp is seen: the softness of shadows.
+  float lamp_size() const { return 0.16f; }
+  /// Irradiance / π on a surface that faces the unshadowed lamp.
+  const Rgb& lamp_light() const { return lamp_light_; }
+
+  /// Radiance of the tent, without the lamp, from direction d (unit).
+  Rgb sky(const Vec3f& d) const;
+  /// What a mirror sees in direction d (unit): the tent, a tall window on the lamp's side and a
+  /// strip light.
+  Rgb reflection(const Vec3f& d) const;
+  /// The backdrop at a place on the picture, x and y in −1 … 1.
+  Rgb backdrop(float x, float y) const;
+  /// Where on the picture a direction points to; past the rim for what lies behind the camera.
+  void project(const Vec3f& d, float& x, float& y) const;
+
+ private:
+  float screen(const Vec3f& d, const Vec3f& centre, const Vec3f& upright, float half_width,
+               float half_height) const;
+
+  Vec3f vertical_, right_, up_, forward_, lamp_, window_, strip_;
+  float tan_x_, tan_y_;
+  Rgb lamp_light_, backdrop_;
+};
+
+}  // namespace craze::render

@@ -1,0 +1,51 @@
+// What a ray sees where it meets the object.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "craze/mesh/surface_mesh.h"
+#include "craze/render/crack_lines.h"
+#include "craze/render/material.h"
+#include "craze/render/ray_scene.h"
+
+namespace craze::render {
+
+/// What is drawn, in render units: near the origin and of unit size.
+struct TracedModel {
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+  std::vector<Vec3f> normals;         ///< 3 #F
+  std::vector<std::uint8_t> is_wall;  ///< #F
+  const LinePainter* lines = nullptr;
+};
+
+/// A lit point of the object or the floor.
+struct Surface {
+  bool lit = false, is_floor = false;
+  Vec3f position = Vec3f::Zero(), geometric = Vec3f::UnitZ(), normal = Vec3f::UnitZ();
+  Vec3f view = Vec3f::UnitZ();  ///< unit, from the eye
+  Rgb albedo = Rgb::Zero();
+  float coat = 0;  ///< part of the light that the coat mirrors
+};
+
+/// Small irregularities of a material at a place.
+struct Grain {
+  float tint = 1;              ///< factor of the colour
+  Vec3f tilt = Vec3f::Zero();  ///< added to the normal
+};
+
+/// Part of the light that a clear, smooth surface mirrors at that cosine to its normal.
+float fresnel(float cosine);
+
+/// The surface at a hit, its normals towards the eye, with crack lines drawn.
+Surface surface_at(const TracedModel& model, const Material& material, const Ray& ray,
+                   const Hit& hit, float footprint);
+
+Grain grain_at(const Material& material, const Vec3f& position);
+
+/// Cracks as the lines drawn at a hit; none on walls.
+LineSample line_at(const TracedModel& model, const Hit& hit, const Vec3f& position,
+                   float footprint);
+
+}  // namespace craze::render

@@ -1,0 +1,219 @@
+#include "craze/render/tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace craze::render {
+
+namespace {
+
+constexpr float ray_offset = 2e-5f;
+/// Light from hidden directions: the object's own colour, lit about half as well.
+constexpr float bounce = 0.22f;
+/// Within this distance of the object's centre the floor may be in its shadow.
+constexpr float floor_radius = 2;
+
+Vec3f mirrored(const Vec3f& d, const Vec3f& n) {
+  return (d - 2 * d.dot(n) * n).normalized();
+}
+
+Ray ray_from(const Vec3f& position, const Vec3f& side, const Vec3f& direction) {
+  return {position + ray_offset * side, direction, ray_offset, true};
+}
+
+}  // namespace
+
+Tracer::Tracer(const TracedModel& model, const Material& material, const Camera& camera,
+               const Studio& studio, bool ground, int groups, std::uint64_t seed)
+    : model_(model),
+      material_(material),
+      camera_(camera),
+      studio_(studio),
+      scene_(model.positions, model.triangles),
+      has_floor_(ground),
+      groups_(groups),
+      samples_(groups * RayScene::lanes, seed) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Vec3& p : model.positions) {
+    lowest = std::min(lowest, p.dot(camera.vertical));
+    highest = std::max(highest, p.dot(camera.vertical));
+  }
+  // A flat sheet floats a little, so that its edge throws a shadow.
+  floor_height_ = static_cast<float>(lowest - (highest - lowest < 0.02 ? 0.008 : 2e-4));
+}
+
+Surface Tracer::floor_or_backdrop(const Ray& ray) const {
+  Surface s;
+  s.albedo = backdrop(ray.direction);
+  const float descent = ray.direction.dot(studio_.vertical());
+  if (!has_floor_ || descent >= 0) return s;
+  const float t = (floor_height_ - ray.origin.dot(studio_.vertical())) / descent;
+  s.position = ray.origin + t * ray.direction;
+  s.normal = s.geometric = studio_.vertical();
+  // Beyond, the floor is as bright as the backdrop and merges with it.
+  s.is_floor = s.lit = t > 0 && s.position.norm() < floor_radius;
+  return s;
+}
+
+Rgb Tracer::backdrop(const Vec3f& direction) const {
+  float x, y;
+  studio_.project(direction, x, y);
+  return studio_.backdrop(x, y);
+}
+
+float Tracer::floor_light(const Surface& s, bool lamp_hidden, bool sky_hidden) const {
+  // Glass lets most of the light through.
+  const float shade = material_.glass ? 0.35f : 0.9f;
+  const float lamp = luminance(studio_.lamp_light()) * s.normal.dot(studio_.lamp_direction());
+  const float sky = luminance(studio_.sky(studio_.vertical()));
+  const float received = (lamp_hidden ? 0 : lamp) + (sky_hidden ? 0.12f * sky : sky);
+  const float near = 1 - smoothstep(0.5f * floor_radius, floor_radius, s.position.norm());
+  return 1 - shade * near * (1 - received / (lamp + sky));
+}
+
+Rgb Tracer::object_light(const Surface& s, const Ray& lamp, bool lamp_hidden, const Ray& sky,
+                         bool sky_hidden) const {
+  Rgb light = sky_hidden ? Rgb(bounce * s.albedo.max(0.05f).sqrt()) : studio_.sky(sky.direction);
+  const float facing = s.normal.dot(lamp.direction);
+  if (!lamp_hidden && facing > 0) light += facing * studio_.lamp_light();
+  return light;
+}
+
+Rgb Tracer::sheen(const Surface& s, const Ray& lamp, bool lamp_hidden) const {
+  if (lamp_hidden || material_.gloss == 0 || s.is_floor) return Rgb::Zero();
+  const Vec3f half = (lamp.direction - s.view).normalized();
+  return material_.gloss * std::pow(std::max(0.0f, half.dot(s.normal)), 18.0f) *
+         studio_.lamp_light();
+}
+
+void Tracer::light(const Surfaces& surfaces, const PixelSamples& samples, int first, int count,
+                   float weight, Pixel& sum) const {
+  Lanes lamp, sky, mirror;
+  bool any_mirror = false;
+  for (int i = 0; i < count; ++i) {
+    const Surface& s = surfaces[i];
+    if (!s.lit) continue;
+    const Vec3f to_lamp =
+        cone_direction(studio_.lamp_direction(), studio_.lamp_size(), samples.lamp[first + i]);
+    lamp[i] = ray_from(s.position, s.geometric, to_lamp);
+    lamp[i].active = to_lamp.dot(s.normal) > 0;
+    sky[i] = ray_from(s.position, s.geometric, cosine_direction(s.normal, samples.sky[first + i]));
+    if (s.coat > 0) {
+      any_mirror = true;
+      mirror[i] = ray_from(s.position, s.geometric, mirrored(s.view, s.normal));
+    }
+  }
+  RayScene::Flags lamp_hidden, sky_hidden, mirror_hidden{};
+  scene_.occluded(lamp, lamp_hidden);
+  scene_.occluded(sky, sky_hidden);
+  if (any_mirror) scene_.occluded(mirror, mirror_hidden);
+
+  for (int i = 0; i < count; ++i) {
+    const Surface& s = surfaces[i];
+    if (!s.lit) continue;
+    const Rgb received = s.is_floor
+                             ? Rgb(Rgb::Constant(floor_light(s, lamp_hidden[i], sky_hidden[i])))
+                             : object_light(s, lamp[i], lamp_hidden[i], sky[i], sky_hidden[i]);
+    sum.albedo += weight * s.albedo;
+    sum.light += weight * received;
+    sum.diffuse += weight * s.albedo * received;
+    sum.direct += weight * sheen(s, lamp[i], lamp_hidden[i]);
+    if (s.coat > 0) {
+      sum.direct +=
+          weight * s.coat *
+          (mirror_hidden[i] ? Rgb(0.4f * s.albedo) : studio_.reflection(mirror[i].direction));
+    }
+    sum.normal += weight * s.normal;
+    sum.position += weight * s.position;
+    if (s.is_floor) sum.floor += weight;
+  }
+}
+
+Rgb Tracer::through_glass(const Ray& first_ray, const Hit& first_hit, float footprint) const {
+  Ray ray = first_ray;
+  Hit hit = first_hit;
+  Rgb seen = Rgb::Zero(), clear = Rgb::Ones();
+  // Eight layers are more than the eye can tell apart.
+  for (int layer = 0; layer < 8 && hit.face >= 0; ++layer) {
+    const Surface s = surface_at(model_, material_, ray, hit, footprint);
+    const float cosine = std::max(0.02f, -s.normal.dot(s.view));
+    const float mirror = fresnel(cosine);
+    const float depth = layer == 0 ? 1.0f : 0.6f;
+    seen += depth * mirror * clear * studio_.reflection(mirrored(s.view, s.normal));
+    clear *= (1 - mirror) * material_.color.pow(0.6f / std::sqrt(cosine));
+
+    LineSample line = line_at(model_, hit, s.position, footprint);
+    if (model_.is_wall[hit.face]) line.core = 0.3f;
+    // A crack is a bright plane inside the glass: it scatters light and hides what is behind.
+    const float veil =
+        std::clamp(material_.line_strength * line.core + material_.stain * line.stain, 0.0f, 1.0f);
+    const float facing = std::abs(s.geometric.dot(studio_.lamp_direction()));
+    seen += depth * veil * clear * material_.line * (0.55f + 0.75f * facing);
+    clear *= 1 - veil;
+
+    // Bend a little towards the inside of each layer.
+    const Vec3f bent = (s.view - 0.12f * (1 - cosine) * s.normal).normalized();
+    ray = ray_from(s.position, -s.geometric, bent);
+    hit = scene_.intersect(ray);
+  }
+  return seen + clear * (0.8f * backdrop(ray.direction) + 0.2f * studio_.reflection(ray.direction));
+}
+
+Pixel Tracer::trace(int x, int y, int width, int height) const {
+  const PixelSamples samples = samples_.of_pixel(static_cast<std::uint64_t>(y) * width + x);
+  const Vec3f eye = camera_.eye.cast<float>();
+  const Vec3f centre =
+      camera_.ray(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height).cast<float>();
+  const Vec3f right = (2 * camera_.tan_x / width * camera_.right).cast<float>();
+  const Vec3f down = (-2 * camera_.tan_y / height * camera_.up).cast<float>();
+
+  Pixel sum;
+  std::optional<Grain> grain;  // the same for all samples: it is far coarser than a pixel
+  for (int group = 0; group < groups_; ++group) {
+    const int first = group * RayScene::lanes;
+    Lanes rays;
+    RayScene::Hits hits;
+    for (int i = 0; i < RayScene::lanes; ++i) {
+      const Point2f offset = samples.lens[first + i];
+      rays[i] = {eye, centre + offset.x * right + offset.y * down, 0, true};
+    }
+    scene_.intersect(rays, hits);
+
+    const bool object =
+        std::any_of(hits.begin(), hits.end(), [](const Hit& h) { return h.face >= 0; });
+    // The empty floor is smooth: half of the samples will do.
+    const int count = object ? RayScene::lanes : RayScene::lanes / 2;
+    const float weight = static_cast<float>(RayScene::lanes) / static_cast<float>(count);
+    Surfaces surfaces;
+    for (int i = 0; i < count; ++i) {
+      Surface& s = surfaces[i];
+      const float footprint = hits[i].distance * down.norm();
+      if (hits[i].face < 0) {
+        s = floor_or_backdrop(rays[i]);
+        if (!s.lit) sum.direct += weight * s.albedo;
+      } else if (material_.glass) {
+        sum.direct += through_glass(rays[i], hits[i], footprint);
+      } else {
+        s = surface_at(model_, material_, rays[i], hits[i], footprint);
+        if (!grain) grain = grain_at(material_, s.position);
+        s.albedo *= grain->tint;
+        s.normal = (s.normal + grain->tilt - grain->tilt.dot(s.normal) * s.normal).normalized();
+      }
+    }
+    light(surfaces, samples, first, count, weight, sum);
+  }
+
+  const float scale = 1.0f / static_cast<float>(groups_ * RayScene::lanes);
+  sum.albedo *= scale;
+  sum.light *= scale;
+  sum.diffuse *= scale;
+  sum.direct *= scale;
+  sum.normal = sum.normal.stableNormalized();
+  sum.position *= scale;
+  sum.floor *= scale;
+  return sum;
+}
+
+}  // namespace craze::render

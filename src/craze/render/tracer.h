@@ -1,0 +1,50 @@
+// Light at a pixel.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "craze/render/film.h"
+#include "craze/render/material.h"
+#include "craze/render/ray_scene.h"
+#include "craze/render/sampling.h"
+#include "craze/render/studio.h"
+#include "craze/render/surface.h"
+
+namespace craze::render {
+
+class Tracer {
+ public:
+  /// Keeps references to the first four. With `ground`, a floor lies under the lowest vertex.
+  Tracer(const TracedModel& model, const Material& material, const Camera& camera,
+         const Studio& studio, bool ground, int groups, std::uint64_t seed);
+
+  /// The pixel (x, y), counted from the top left, from `groups` times sixteen samples.
+  Pixel trace(int x, int y, int width, int height) const;
+
+ private:
+  using Lanes = std::array<Ray, RayScene::lanes>;
+  using Surfaces = std::array<Surface, RayScene::lanes>;
+
+  Surface floor_or_backdrop(const Ray& ray) const;
+  Rgb backdrop(const Vec3f& direction) const;
+  Rgb through_glass(const Ray& ray, const Hit& hit, float footprint) const;
+  void light(const Surfaces& surfaces, const PixelSamples& samples, int first, int count,
+             float weight, Pixel& sum) const;
+  float floor_light(const Surface& s, bool lamp_hidden, bool sky_hidden) const;
+  Rgb object_light(const Surface& s, const Ray& lamp, bool lamp_hidden, const Ray& sky,
+                   bool sky_hidden) const;
+  Rgb sheen(const Surface& s, const Ray& lamp, bool lamp_hidden) const;
+
+  const TracedModel& model_;
+  const Material& material_;
+  const Camera& camera_;
+  const Studio& studio_;
+  RayScene scene_;
+  bool has_floor_;
+  float floor_height_ = 0;
+  int groups_;
+  SampleTable samples_;
+};
+
+}  // namespace craze::render

@@ -1,0 +1,14 @@
+// The surface a run works on: a file or a shape.
+#pragma once
+
+#include <string>
+
+#include "craze/mesh/surface_mesh.h"
+
+namespace craze {
+
+/// Reads a mesh file, or makes the shape of "shape:NAME?key=value&…". Throws Error(input) for a
+/// file that cannot be read, Error(usage) for an unknown shape.
+SurfaceMesh load_surface(const std::string& input);
+
+}  // namespace craze

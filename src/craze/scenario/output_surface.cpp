@@ -1,0 +1,78 @@
+#include "craze/scenario/output_surface.h"
+
+#include <Eigen/Geometry>
+
+#include "craze/bake/nearby_cracks.h"
+#include "craze/bake/segment_distance.h"
+#include "craze/mesh/transfer_attributes.h"
+
+namespace craze {
+
+namespace {
+
+void set_attribute(std::vector<Attribute>& attributes, Attribute attribute) {
+  for (Attribute& old : attributes) {
+    if (old.name == attribute.name) {
+      old = std::move(attribute);
+      return;
+    }
+  }
+  attributes.push_back(std::move(attribute));
+}
+
+double box_diagonal(const std::vector<Vec3>& positions) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : positions) box.extend(p);
+  return positions.empty() ? 0 : box.diagonal().norm();
+}
+
+Attribute make(const char* name, int components, std::int32_t n, double value) {
+  return {name, components, std::vector<double>(static_cast<std::size_t>(n) * components, value)};
+}
+
+void add_nearest_crack(SurfaceMesh& result, const Simulation& simulation) {
+  const TriangleMesh& mesh = simulation.mesh();
+  const std::vector<double> times = simulation.crack_times();
+  const double far = box_diagonal(mesh.positions());
+  const NearbyCracks cracks = nearby_cracks(mesh, crack_sides(mesh), far);
+  Attribute distance = make("crack_distance", 1, mesh.vertex_count(), far);
+  Attribute time = make("crack_time", 1, mesh.vertex_count(), -1);
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    mesh.for_each_outgoing(v, [&](std::int32_t h) {
+      for (const NearbyCrack& seen : cracks.of(TriangleMesh::face_of(h))) {
+        const double d = point_segment_distance(mesh.position(v), seen.a, seen.b);
+        const double t = times[mesh.crack_of(seen.halfedge)];
+        if (d > distance.values[v]) continue;
+        // Of cracks that meet at the vertex, the first that opened.
+        if (d == distance.values[v] && time.values[v] >= 0 && t >= time.values[v]) continue;
+        distance.values[v] = d;
+        time.values[v] = t;
+      }
+    });
+  }
+  set_attribute(result.vertex_attributes, std::move(distance));
+  set_attribute(result.vertex_attributes, std::move(time));
+}
+
+}  // namespace
+
+SurfaceMesh output_surface(const SurfaceMesh& surface, const Simulation& simulation,
+                           const Components& fragments) {
+  const TriangleMesh& mesh = simulation.mesh();
+  SurfaceMesh result = transfer_attributes(surface, mesh);
+  add_nearest_crack(result, simulation);
+
+  Attribute displacement{"displacement", 3, {}};
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Vec3 u = simulation.field().displacement(v);
+    displacement.values.insert(displacement.values.end(), u.data(), u.data() + 3);
+  }
+  set_attribute(result.vertex_attributes, std::move(displacement));
+  set_attribute(result.face_attributes,
+                {"fragment", 1, {fragments.face.begin(), fragments.face.end()}});
+  set_attribute(result.face_attributes,
+                {"source_face", 1, {result.source_faces.begin(), result.source_faces.end()}});
+  return result;
+}
+
+}  // namespace craze

@@ -1,0 +1,128 @@
+#include "craze/scenario/run.h"
+
+#include <chrono>
+#include <thread>
+
+#include "craze/base/error.h"
+#include "craze/io/atomic_file.h"
+#include "craze/io/write_mesh.h"
+#include "craze/mesh/components.h"
+#include "craze/mesh/repair.h"
+#include "craze/model/simulation.h"
+#include "craze/scenario/fields.h"
+#include "craze/scenario/load_surface.h"
+#include "craze/scenario/output_surface.h"
+#include "craze/scenario/report.h"
+#include "craze/scenario/simulation_input.h"
+
+namespace craze {
+
+namespace {
+
+/// Seconds since it was made or last asked.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+MeshCounts count(const SurfaceMesh& mesh) {
+  return {static_cast<std::int64_t>(mesh.positions.size()),
+          static_cast<std::int64_t>(mesh.triangles.size())};
+}
+
+int thread_count(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+double total_length(const CrackNetwork& network) {
+  double length = 0;
+  for (const CrackEdge& e : network.edges) {
+    length += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
+  }
+  return length;
+}
+
+SurfaceMesh load_and_repair(const RunRequest& request, RunReport& report) {
+  const SurfaceMesh input = load_surface(request.input);
+  report.input = count(input);
+  SurfaceMesh surface = repair(input, {}, report.repair);
+  if (surface.triangles.empty()) {
+    throw Error(ErrorKind::input, "nothing to crack", request.input,
+                "the mesh has no triangle with area");
+  }
+  return surface;
+}
+
+StopReason crack(Simulation& simulation, const RunRequest& request, const Context& context) {
+  if (request.max_cracks == 0) return StopReason::max_cracks;
+  return simulation.run(context);
+}
+
+/// Everything asked for but the report.
+void write_outputs(const RunRequest& request, const SurfaceMesh& surface,
+                   const Simulation& simulation, RunReport& report, const Context& context) {
+  const Components fragments = find_components(simulation.mesh());
+  report.cracks.fragments = fragments.count;
+  const SurfaceMesh output = output_surface(surface, simulation, fragments);
+  report.output = count(output);
+  if (!request.output.empty()) write_mesh(request.output, output);
+
+  const CrackNetwork network = simulation.network();
+  report.cracks.events = simulation.events();
+  report.cracks.segments = simulation.segments();
+  report.cracks.length = total_length(network);
+  if (!request.fields.empty()) {
+    write_mesh(request.fields,
+               field_mesh(simulation, request.recipe.simulation.stress.curvature_radius, context));
+  }
+}
+
+}  // namespace
+
+RunResult run(const RunRequest& request, const Context& context) {
+  check_request(request);
+  Stopwatch total, phase;
+  RunReport report;
+  report.recipe = request.recipe;
+  if (request.max_cracks) report.recipe.simulation.evolution.max_cracks = *request.max_cracks;
+  report.threads = thread_count(context.threads);
+
+  context.report({"load"});
+  const SurfaceMesh surface = simulation_surface(load_and_repair(request, report), report.recipe);
+  report.simulation = count(surface);
+  report.time.load = phase.lap();
+
+  context.report({"prepare", -1, 0, report.simulation.triangles});
+  Simulation simulation(TriangleMesh(surface.positions, surface.triangles),
+                        simulation_fields(surface, report.recipe.simulation, context),
+                        report.recipe.simulation, context);
+  report.time.prepare = phase.lap();
+
+  const StopReason reason = crack(simulation, request, context);
+  report.stop_reason = to_string(reason);
+  report.load = simulation.load();
+  report.time.relax = simulation.times().relax;
+  report.time.separation = simulation.times().separation;
+  report.time.crack = simulation.times().crack;
+  phase.lap();
+
+  context.report({"write", -1, simulation.events(), simulation.mesh().face_count(), report.load});
+  write_outputs(request, surface, simulation, report, context);
+  report.time.write = phase.lap();
+  report.time.total = total.lap();
+  RunResult result{report_to_json(report), reason == StopReason::cancelled};
+  if (!request.report.empty() && request.report != "-") {
+    write_file(request.report, result.report.dump(2) + "\n", "cannot write the report");
+  }
+  return result;
+}
+
+}  // namespace craze

@@ -1,0 +1,41 @@
+// A whole run: from a file or shape to every output asked for.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "craze/base/context.h"
+#include "craze/scenario/recipe.h"
+
+namespace craze {
+
+/// What to crack and what to write. An empty path: not asked for.
+struct RunRequest {
+  std::string input;  ///< a file, or "shape:NAME?key=value&…"
+  Recipe recipe;
+  /// Crack events to stop after; unlike evolution.max_cracks, 0 means none: the initial state.
+  std::optional<std::int64_t> max_cracks;
+
+  std::string output;   ///< the cracked mesh: .ply .obj .stl .glb
+  std::string lines;    ///< the cracks: .ply .obj .svg .json
+  std::string picture;  ///< .png
+  std::string fields;   ///< stress, forces and curvatures at the end: .ply
+  std::string report;   ///< .json, or "-": only in the result
+};
+
+struct RunResult {
+  nlohmann::ordered_json report;  ///< what the report file holds
+  bool cancelled = false;         ///< stopped by the context; the outputs hold the state then
+};
+
+/// Finds before any work what would fail after it: an output of a wrong kind (Error(usage)), a
+/// folder that does not exist or cannot be written, two outputs in one file, nothing asked for.
+void check_request(const RunRequest& request);
+
+/// Loads, repairs, cracks and writes, after check_request. Each file is whole or not there. Throws
+/// Error: input that cannot be read or used, files that cannot be written.
+RunResult run(const RunRequest& request, const Context& context);
+
+}  // namespace craze

@@ -1,0 +1,161 @@
+#include "craze/render/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "bake/surfaces.h"
+#include "craze/base/error.h"
+
+namespace craze::render {
+namespace {
+
+SurfaceMesh surface(const TriangleMesh& mesh) {
+  SurfaceMesh s;
+  s.positions = mesh.positions();
+  s.triangles = mesh.triangles();
+  return s;
+}
+
+PictureOptions small(const std::string& material) {
+  PictureOptions options;
+  options.width = 96;
+  options.height = 72;
+  options.material = find_material(material);
+  return options;
+}
+
+double brightness(const Image& image, int x, int y) {
+  const std::size_t i = 3 * (static_cast<std::size_t>(y) * image.width + x);
+  return (image.rgb[i] + image.rgb[i + 1] + image.rgb[i + 2]) / 3.0;
+}
+
+/// The plate from straight above, a crack along y = 0.5 from border to border.
+struct CrackedPlate {
+  TriangleMesh mesh = test::plate(10, 0);
+  PictureOptions options = small("plaster");
+
+  CrackedPlate() {
+    options.view.elevation = 90;
+    options.width = options.height = 101;
+    options.line_width = 0.04;
+    const auto on_line = [&](std::int32_t v) {
+      return std::abs(mesh.position(v).y() - 0.5) < 1e-9;
+    };
+    for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+      if (!mesh.is_open(h) && on_line(mesh.from(h)) && on_line(mesh.to(h))) mesh.cut(h, 0);
+    }
+  }
+  CrackLines lines(const std::vector<double>& width = {}) const {
+    return crack_lines(mesh, crack_sides(mesh), line_reach(surface(mesh), options), width);
+  }
+};
+
+TEST(Picture, IsTheSameOnAnyNumberOfThreads) {
+  TriangleMesh mesh = test::torus(24);
+  test::cut_at_random(mesh, 80, 0, 3);
+  const SurfaceMesh s = surface(mesh);
+  for (const Material& material : materials()) {
+    const PictureOptions options = small(material.name);
+    const CrackLines lines = crack_lines(mesh, crack_sides(mesh), line_reach(s, options));
+    Context one, many;
+    one.threads = 1;
+    many.threads = 3;
+    EXPECT_EQ(render_picture(s, &lines, options, one).rgb,
+              render_picture(s, &lines, options, many).rgb)
+        << material.name;
+  }
+}
+
+TEST(Picture, DrawsACrackAsADarkLineWhereItLies) {
+  const CrackedPlate plate;
+  const CrackLines lines = plate.lines();
+  const Image with = render_picture(surface(plate.mesh), &lines, plate.options, {});
+  const Image without = render_picture(surface(plate.mesh), nullptr, plate.options, {});
+  EXPECT_LT(brightness(with, 50, 50), 0.6 * brightness(without, 50, 50));
+  EXPECT_NEAR(brightness(with, 50, 30), brightness(without, 50, 30), 3);
+}
+
+TEST(Picture, ALineAsFineAsAnImagePointKeepsItsInk) {
+  CrackedPlate plate;
+  const auto ink = [&](double width) {
+    plate.options.line_width = width;
+    plate.options.material.stain = plate.options.material.groove = 0;
+    const CrackLines lines = plate.lines();
+    const Image with = render_picture(surface(plate.mesh), &lines, plate.options, {});
+    const Image without = render_picture(surface(plate.mesh), nullptr, plate.options, {});
+    double sum = 0;
+    for (int x = 30; x < 70; ++x) {
+      for (int y = 20; y < 80; ++y) sum += brightness(without, x, y) - brightness(with, x, y);
+    }
+    return sum;
+  };
+  EXPECT_NEAR(ink(0.004) / ink(0.008), 0.5, 0.12);
+}
+
+TEST(Picture, LineWidthMayVaryAlongACrack) {
+  const CrackedPlate plate;
+  std::vector<double> width;
+  for (const Vec3& p : plate.mesh.positions()) width.push_back(p.x() < 0.5 ? 0 : 1);
+  const CrackLines lines = plate.lines(width);
+  const Image image = render_picture(surface(plate.mesh), &lines, plate.options, {});
+  EXPECT_GT(brightness(image, 30, 50), 1.5 * brightness(image, 70, 50));
+}
+
+TEST(Picture, AnOpenCrackLeavesNoSeamInTheShading) {
+  const TriangleMesh whole = test::torus(30);
+  TriangleMesh cracked = whole;
+  test::cut_at_random(cracked, 300, 0, 8);
+  const PictureOptions options = small("clay");
+  EXPECT_EQ(render_picture(surface(whole), nullptr, options, {}).rgb,
+            render_picture(surface(cracked), nullptr, options, {}).rgb);
+}
+
+TEST(Picture, FramesTheObjectInsideTheMargin) {
+  PictureOptions options = small("plaster");
+  options.ground = false;
+  options.backdrop = Rgb::Zero();
+  const Image image = render_picture(surface(test::torus(40)), nullptr, options, {});
+  int left = image.width, right = -1, top = image.height, bottom = -1;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      if (brightness(image, x, y) < 1) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = std::max(bottom, y);
+    }
+  }
+  EXPECT_NEAR(left, 0.08 * image.width, 2);
+  EXPECT_NEAR(right, 0.92 * image.width, 2);
+  EXPECT_NEAR(image.height - 1 - bottom, top, 2);
+}
+
+TEST(Picture, DoesNotDependOnTheUnitOrPlaceOfTheModel) {
+  const SurfaceMesh here = surface(test::torus(20));
+  SurfaceMesh far = here;
+  for (Vec3& p : far.positions) p = 1024 * p + Vec3(1 << 20, -(1 << 18), 1 << 19);
+  const Image a = render_picture(here, nullptr, small("clay"), {});
+  const Image b = render_picture(far, nullptr, small("clay"), {});
+  int different = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) different += std::abs(a.rgb[i] - b.rgb[i]) > 2;
+  EXPECT_LT(different, static_cast<int>(a.rgb.size() / 200));
+}
+
+TEST(Picture, RefusesWhatCannotBeDrawn) {
+  const SurfaceMesh torus = surface(test::torus(8));
+  EXPECT_THROW(render_picture({}, nullptr, small("clay"), {}), Error);
+  PictureOptions huge = small("clay");
+  huge.width = 1 << 20;
+  EXPECT_THROW(render_picture(torus, nullptr, huge, {}), Error);
+  SurfaceMesh broken = torus;
+  broken.positions[3].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(render_picture(broken, nullptr, small("clay"), {}), Error);
+  CrackLines foreign;
+  foreign.cracks.first.assign(torus.triangles.size() + 2, 0);
+  EXPECT_THROW(render_picture(torus, &foreign, small("clay"), {}), Error);
+  EXPECT_THROW(find_material("marble"), Error);
+}
+
+}  // namespace
+}  // namespace craze::render

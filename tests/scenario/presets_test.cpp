@@ -1,0 +1,50 @@
+#include "craze/scenario/presets.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "craze/base/error.h"
+#include "craze/scenario/nearest_name.h"
+#include "craze/scenario/parameter_reference.h"
+
+namespace craze {
+namespace {
+
+TEST(Presets, AreReadableAndDescribed) {
+  ASSERT_FALSE(presets().empty());
+  for (const Preset& preset : presets()) {
+    EXPECT_EQ(preset.text.substr(0, 2), "# ") << preset.name;
+    EXPECT_GT(preset.description().size(), 10u) << preset.name;
+    EXPECT_NO_THROW(read_preset(std::string(preset.name))) << preset.name;
+  }
+}
+
+TEST(Presets, AMisspeltNameIsMet) {
+  try {
+    find_preset("glaize");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_STREQ(e.what(), "unknown preset glaize: did you mean glaze?");
+    EXPECT_EQ(e.kind(), ErrorKind::usage);
+  }
+}
+
+TEST(Reference, ThePageInTheDocsIsCurrent) {
+  std::ifstream file(CRAZE_SOURCE_DIR "/docs/reference.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_EQ(text.str(), parameter_page()) << "run: craze parameters --markdown > docs/reference.md";
+}
+
+TEST(NearestName, CountsSwapsAsOneMistake) {
+  EXPECT_EQ(edit_distance("seed", "sede"), 1);
+  EXPECT_EQ(edit_distance("", "abc"), 3);
+  EXPECT_EQ(nearest_name("sede", {"engine", "seed"}), "seed");
+  EXPECT_EQ(nearest_name("curvatur", {"stress.noise", "stress.curvature"}), "stress.curvature");
+  EXPECT_EQ(nearest_name("x", {"engine", "seed"}), "");
+}
+
+}  // namespace
+}  // namespace craze
