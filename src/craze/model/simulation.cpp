@@ -75,8 +75,8 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
   // 1. Initialize the stress field according to heuristics and optionally evolve it.
   double tension = 0, area = 0;
   for (std::int32_t f = 0; f < mesh_.face_count() && !fields_.stress.empty(); ++f) {
-    const Sym3& sigma = fields_.stress[f];
-    field_.add_stress(mesh_, f, sigma);
+    field_.add_stress(mesh_, f, fields_.stress[f]);
+    const Sym3 sigma = field_.stress(mesh_, f);
     tension += 0.5 * (sigma.xx + sigma.yy + sigma.zz) * mesh_.area(f);
     area += mesh_.area(f);
   }
