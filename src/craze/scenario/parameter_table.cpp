@@ -106,6 +106,10 @@ std::vector<Parameter> make_table() {
            {.help = "share of the excess carried to the new tips: low is jagged, high is straight",
             .symbol = "α",
             .source = "[IO06 Eq. 8]"})
+      .add("process_zone", &MaterialParameters::process_zone, not_negative,
+           {.help = "no intact place fails this close to a crack tip (criterion \"strength\"); 0: "
+                    "half the screening length",
+            .unit = "length"})
       .add("scatter", &MaterialParameters::scatter, share,
            {.help = "random part of the strength, relative standard deviation"})
       .add("curvature_scale", &MaterialParameters::curvature_scale, any,

@@ -9,6 +9,7 @@
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/correlated_noise.h"
 #include "craze/model/curvature.h"
+#include "craze/model/direction_bias.h"
 #include "craze/model/input_fields.h"
 #include "craze/model/painted_multiplier.h"
 #include "craze/model/screening.h"
@@ -72,6 +73,29 @@ std::vector<double> separation_scale(const TriangleMesh& mesh, const SimulationP
   return face;
 }
 
+/// Per face the principal direction that its first corner's curvature prefers.
+std::vector<PreferredDirection> preferred_per_face(const TriangleMesh& mesh,
+                                                   const SimulationParameters& p,
+                                                   const Context& context) {
+  if (p.material.bias == 0) return {};
+  const std::vector<PreferredDirection> vertex =
+      preferred_directions(vertex_curvature(mesh, p.stress.curvature_radius, context));
+  std::vector<PreferredDirection> face;
+  face.reserve(static_cast<std::size_t>(mesh.face_count()));
+  for (const Triangle& t : mesh.triangles()) face.push_back(vertex[t[0]]);
+  return face;
+}
+
+/// κ = 1/ℓ², so that a painted factor m on the spacing, and with it on ℓ, is 1/m² on κ. Where it is
+/// 0 no crack runs and the layer's adhesion stays as it is.
+std::vector<double> adhesion_scale(const TriangleMesh& mesh, const SimulationParameters& p,
+                                   const InputFields& input) {
+  if (p.layer.attribute.empty() && p.layer.texture.empty()) return {};
+  std::vector<double> scale = spacing_multiplier(mesh, p.layer, input).face;
+  for (double& m : scale) m = m > 0 ? 1 / (m * m) : 1;
+  return scale;
+}
+
 std::vector<char> held_vertices(const TriangleMesh& mesh, const BoundaryParameters& boundary,
                                 const InputFields& input) {
   const bool border = boundary.kind == BoundaryKind::fixed;
@@ -132,6 +156,8 @@ SimulationFields simulation_fields(const SurfaceMesh& surface, const TriangleMes
   }
   fields.toughness_scale = toughness_scale(mesh, p, input, context);
   fields.separation_scale = separation_scale(mesh, p, context);
+  fields.adhesion_scale = adhesion_scale(mesh, p, input);
+  fields.preferred = preferred_per_face(mesh, p, context);
   fields.fixed = held_vertices(mesh, p.boundary, input);
   return fields;
 }
