@@ -1,0 +1,212 @@
+// [IO06] §3.1: the loop, its stopping and its limits.
+#include "craze/model/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "craze/base/error.h"
+#include "craze/mesh/validate.h"
+#include "model/runs.h"
+
+namespace craze {
+namespace {
+
+using test::mesh_of;
+using test::simulation_of;
+using test::small_run;
+
+/// What holds of every state that a run can be left in.
+void expect_consistent(const Simulation& s, const std::string& shape) {
+  const std::vector<std::string> faults = validate(s.mesh());
+  EXPECT_TRUE(faults.empty()) << faults.front();
+  EXPECT_NEAR(s.mesh().total_area() / mesh_of(shape).total_area(), 1, 1e-12);
+  EXPECT_EQ(static_cast<std::int64_t>(s.crack_times().size()), s.segments());
+  StressField fresh = s.field();
+  fresh.update_forces(s.mesh());
+  for (std::int32_t v = 0; v < s.mesh().vertex_count(); ++v) {
+    ASSERT_LE((s.field().force(v) - fresh.force(v)).norm(), 1e-10);
+    ASSERT_TRUE(s.field().displacement(v).allFinite());
+  }
+  for (std::int32_t f = 0; f < s.mesh().face_count(); ++f) {
+    ASSERT_TRUE(s.field().stress(s.mesh(), f).matrix().allFinite());
+  }
+}
+
+TEST(Simulation, CracksUntilNothingCanFailAndLeavesNoNodeAboveTheToughness) {
+  for (const std::string shape : {"plate?n=20&jitter=0.3", "sphere?n=8", "cylinder?n=30&open=1"}) {
+    Simulation s = simulation_of(shape, small_run());
+    EXPECT_EQ(s.run({}), StopReason::equilibrium);
+    EXPECT_GT(s.events(), 3) << shape;
+    expect_consistent(s, shape);
+    // Those left above τ could not open: back-cracking (θ₂) forbade it. They are few.
+    int above = 0;
+    for (std::int32_t v = 0; v < s.mesh().vertex_count(); ++v) {
+      above += largest_eigenpair(s.separation(v)).value > small_run().material.toughness;
+    }
+    EXPECT_LT(above, 0.05 * s.mesh().vertex_count()) << shape;
+  }
+}
+
+TEST(Simulation, BelowTheToughnessNothingCracks) {
+  SimulationParameters p = small_run();
+  p.material.toughness = 1;
+  Simulation s = simulation_of("plate?n=12", p);
+  EXPECT_EQ(s.run({}), StopReason::equilibrium);
+  EXPECT_EQ(s.events(), 0);
+  EXPECT_EQ(s.mesh().triangles(), mesh_of("plate?n=12").triangles());
+}
+
+TEST(Simulation, ZeroStressCracksNothingAndStopsAtOnce) {
+  Simulation s(mesh_of("sphere?n=6"), {}, small_run(), {});
+  EXPECT_EQ(s.run({}), StopReason::equilibrium);
+  EXPECT_EQ(s.events(), 0);
+}
+
+TEST(Simulation, CompressionCracksNothing) {
+  const TriangleMesh mesh = mesh_of("sphere?n=6");
+  SimulationFields fields = test::noisy_tension(mesh, 1);
+  for (Sym3& sigma : fields.stress) sigma = -1 * sigma;
+  SimulationParameters p = small_run();
+  p.layer.screening_length = 0;
+  Simulation s(mesh, fields, p, {});
+  s.run({});
+  EXPECT_EQ(s.events(), 0);
+}
+
+TEST(Simulation, MaxCracksIsReachedExactlyAlsoWhereAStepCracksSeveral) {
+  for (const std::int64_t per_step : {1, 4}) {
+    SimulationParameters p = small_run();
+    p.evolution.max_cracks = 7;
+    p.evolution.cracks_per_step = per_step;
+    Simulation s = simulation_of("plate?n=20&jitter=0.3", p);
+    EXPECT_EQ(s.run({}), StopReason::max_cracks);
+    EXPECT_EQ(s.events(), 7);
+    expect_consistent(s, "plate?n=20&jitter=0.3");
+  }
+}
+
+TEST(Simulation, CancellingLeavesAConsistentState) {
+  for (const int polls : {0, 1, 17}) {
+    Simulation s = simulation_of("sphere?n=8", small_run());
+    Context context;
+    int polled = 0;
+    context.cancelled = [&] { return polled++ >= polls; };
+    EXPECT_EQ(s.run(context), StopReason::cancelled);
+    EXPECT_LE(s.events(), polls);
+    expect_consistent(s, "sphere?n=8");
+  }
+}
+
+TEST(Simulation, ACancelledRunGoesOnToTheSameEnd) {
+  Simulation whole = simulation_of("plate?n=16&jitter=0.3", small_run());
+  whole.run({});
+  Simulation parts = simulation_of("plate?n=16&jitter=0.3", small_run());
+  Context context;
+  int polled = 0;
+  context.cancelled = [&] { return polled++ == 5; };
+  EXPECT_EQ(parts.run(context), StopReason::cancelled);
+  parts.run({});
+  EXPECT_EQ(parts.mesh().triangles(), whole.mesh().triangles());
+  EXPECT_EQ(parts.crack_times(), whole.crack_times());
+}
+
+TEST(Simulation, ShrinkageRaisesTheLoadUntilTheLimit) {
+  SimulationParameters p = small_run();
+  p.material.toughness = 0.04;
+  p.evolution.shrinkage = 0.01;
+  p.evolution.max_load = 1.5;
+  Simulation s = simulation_of("plate?n=12&jitter=0.3", p);
+  EXPECT_EQ(s.run({}), StopReason::max_load);
+  EXPECT_NEAR(s.load(), 1.5, 0.011);
+  EXPECT_GT(s.events(), 0);
+}
+
+TEST(Simulation, LoadIsTheTensionInTheSurfaceWhateverTheInitialTensorsNormalPart) {
+  const TriangleMesh mesh = mesh_of("plate?n=6");
+  for (const Sym3& tension : {Sym3{1, 1, 1, 0, 0, 0}, Sym3{1, 1, 0, 0, 0, 0}}) {
+    SimulationFields fields;
+    fields.stress.assign(mesh.face_count(), tension);
+    SimulationParameters p = small_run();
+    p.material.toughness = 100;
+    p.evolution.shrinkage = 0.5;
+    p.evolution.max_load = 1.9;  // reached by the second step
+    Simulation s(mesh, fields, p, {});
+    s.run({});
+    EXPECT_NEAR(s.load(), 2, 1e-9);
+    EXPECT_NEAR(s.time(), 2 * p.evolution.time_step * p.evolution.relaxation_steps, 1e-12);
+  }
+}
+
+TEST(Simulation, AHeldBorderNeverMovesNeitherItsNewNodesNorItsCopies) {
+  const TriangleMesh mesh = mesh_of("plate?n=14&jitter=0.3");
+  SimulationFields fields = test::noisy_tension(mesh, 3);
+  fields.fixed.resize(mesh.vertex_count());
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) fields.fixed[v] = mesh.is_open_vertex(v);
+  SimulationParameters p = small_run();
+  p.layer.screening_length = 0;  // held at the border alone, as in the paper
+  Simulation s(mesh, fields, p, {});
+  s.run({});
+  EXPECT_GT(s.events(), 5);
+  int on_border = 0;
+  for (std::int32_t v = 0; v < s.mesh().vertex_count(); ++v) {
+    const Vec3& position = s.mesh().position(v);
+    if (std::max(std::abs(position.x()), std::abs(position.y())) < 0.5 - 1e-12) continue;
+    ++on_border;
+    EXPECT_EQ(s.field().displacement(v), Vec3::Zero());
+  }
+  EXPECT_GE(on_border, 4 * 14);
+}
+
+TEST(Simulation, ToughPlacesNeverCrack) {
+  const TriangleMesh mesh = mesh_of("plate?n=20&jitter=0.3");
+  SimulationFields fields = test::noisy_tension(mesh, 5);
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const bool left = mesh.position(mesh.triangle(f)[0]).x() < 0;
+    fields.toughness_scale.push_back(left ? std::numeric_limits<double>::infinity() : 1);
+  }
+  Simulation s(mesh, fields, small_run(), {});
+  s.run({});
+  EXPECT_GT(s.events(), 3);
+  for (const CrackNode& node : s.network().nodes) EXPECT_GT(node.position.x(), -0.1);
+}
+
+TEST(Simulation, ScalingTheSeparationTensorConcentratesCracksThere) {
+  // [IO06] Figs. 4 and 10.
+  const TriangleMesh mesh = mesh_of("plate?n=24&jitter=0.3");
+  SimulationFields fields = test::noisy_tension(mesh, 6);
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    fields.separation_scale.push_back(mesh.position(mesh.triangle(f)[0]).x() < 0 ? 0.6 : 1.6);
+  }
+  Simulation s(mesh, fields, small_run(), {});
+  s.run({});
+  const CrackNetwork network = s.network();
+  double left = 0, right = 0;
+  for (const CrackEdge& e : network.edges) {
+    const Vec3 &a = network.nodes[e.a].position, &b = network.nodes[e.b].position;
+    (a.x() + b.x() < 0 ? left : right) += (b - a).norm();
+  }
+  EXPECT_GT(right, 2 * left);
+}
+
+TEST(Simulation, FieldsOfTheWrongSizeAreRefusedByName) {
+  const TriangleMesh mesh = mesh_of("plate?n=2");
+  SimulationFields fields;
+  fields.toughness_scale = {1, 2, 3};
+  try {
+    Simulation(mesh, fields, small_run(), {});
+    FAIL() << "accepted";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::request);
+    EXPECT_NE(std::string(e.what()).find("toughness scale"), std::string::npos);
+  }
+}
+
+TEST(Simulation, AMeshWithoutTrianglesIsAtRest) {
+  Simulation s(TriangleMesh{}, {}, small_run(), {});
+  EXPECT_EQ(s.run({}), StopReason::equilibrium);
+}
+
+}  // namespace
+}  // namespace craze
