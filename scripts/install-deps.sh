@@ -12,8 +12,8 @@ packages=(
 )
 development=(
   git ccache
-  clang-14 libclang-rt-14-dev libc++-14-dev libc++abi-14-dev  # sanitizers, fuzzing, the core on libc++
-  clang-tidy-14 clang-format-14 clang-tools-14
+  clang libclang-rt-14-dev libc++-14-dev libc++abi-14-dev  # sanitizers, fuzzing, the core on libc++
+  clang-tidy clang-format
   libbenchmark-dev
 )
 
