@@ -58,11 +58,11 @@ const char* to_string(StopReason reason) {
 
 Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
                        const SimulationParameters& parameters, const Context& context)
-    : parameters_(parameters),
+    : parameters_(resolve_lengths(parameters, bounding_diagonal(mesh.positions()))),
       fields_(std::move(fields)),
       mesh_(std::move(mesh)),
-      field_(mesh_, engine_singular_value_cap(mesh_, parameters.engine)),
-      criterion_(parameters.material, process_zone(parameters.material, parameters.layer)) {
+      field_(mesh_, engine_singular_value_cap(mesh_, running_engine(parameters_))),
+      criterion_(parameters_.material, process_zone(parameters_.material, parameters_.layer)) {
   const auto faces = static_cast<std::size_t>(mesh_.face_count());
   check_size(fields_.stress.size(), faces, "stress");
   check_size(fields_.growth.size(), faces, "growth");
@@ -91,7 +91,7 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
 }
 
 StopReason Simulation::run(const Context& context) {
-  if (parameters_.engine == Engine::quasistatic && events_ == 0) {
+  if (running_engine(parameters_) == Engine::quasistatic && events_ == 0) {
     evolve(context);
     update_failure_criteria(context);
   }
@@ -189,6 +189,7 @@ bool Simulation::crack_at(std::int32_t v) {
     Sym3 residual;
     add_outer(residual, parameters_.material.alpha * excess, failure.normal);
     residuals_[tip] = residual;
+    criterion_.tip_advanced(mesh_, v, tip);
   }
   for (const std::int32_t n : outcome_.changed_nodes) {
     changed_.push_back(n);
@@ -277,7 +278,7 @@ Simulation::Failure Simulation::failure_of(std::int32_t v, const Sym3& separatio
                                            double scale) const {
   const Eigenpair pair = largest_eigenpair(separation);
   if (!(pair.value > 0)) return {};
-  const double threshold = criterion_.threshold(mesh_, v, pair.vector, scale);
+  const double threshold = criterion_.threshold(mesh_, field_, v, pair, scale);
   return {threshold > 0 ? pair.value / threshold : 0, threshold, pair.vector};
 }
 
