@@ -31,6 +31,8 @@ class Stopwatch {
 constexpr std::int64_t largest_batch = 64;
 // A node that could not open on a plane is tried again when the plane has turned this much.
 constexpr double arrest_cosine = 0.98;
+// Keeps v⁺/τ finite at nodes without any toughness.
+constexpr double least_toughness = 1e-100;
 
 void check_size(std::size_t size, std::size_t expected, const char* name) {
   if (size != 0 && size != expected) {
@@ -165,7 +167,8 @@ bool Simulation::crack_at(std::int32_t v) {
   const CrackRules rules{parameters_.crack.snap_angle * std::numbers::pi / 180,
                          parameters_.crack.back_angle * std::numbers::pi / 180};
   const Eigenpair failure = failing_[v];
-  const double tau = parameters_.material.toughness * scale_at(fields_.toughness_scale, v);
+  const double tau = std::max(
+      least_toughness, parameters_.material.toughness * scale_at(fields_.toughness_scale, v));
   open_crack(mesh_, field_, v, failure.vector, rules, static_cast<std::int32_t>(segments()),
              outcome_);
   queue_.remove(v);
@@ -235,7 +238,8 @@ void Simulation::update_failure_criteria(const Context& context) {
 
 void Simulation::evaluate(std::int32_t v) {
   failing_[v] = {};
-  const double tau = parameters_.material.toughness * scale_at(fields_.toughness_scale, v);
+  const double tau = std::max(
+      least_toughness, parameters_.material.toughness * scale_at(fields_.toughness_scale, v));
   const double scale = scale_at(fields_.separation_scale, v);
   const double floor = tau / evolution_->highest_load(), load = evolution_->load();
   const SeparationTensor separation = separation_tensor(mesh_, field_, v);
