@@ -1,12 +1,12 @@
 #!/bin/sh
 # Runs each fuzz target for SECONDS (default 60), starting from fuzz/corpus; fails on the first find.
-# New inputs stay in the build folder, and so does the input that broke a reader.
-# Build first: cmake --preset fuzz && cmake --build --preset fuzz
+# New inputs stay in the build folder, and so does the input that broke a target.
+# Build first: cmake --workflow --preset fuzz. CRAZE_FUZZ_BUILD names another build folder.
 set -eu
 seconds=${1:-60}
 here=$(cd "$(dirname "$0")" && pwd)
 build=${CRAZE_FUZZ_BUILD:-$here/../build/fuzz}
-for format in obj ply stl off gltf; do
+for format in obj ply stl off gltf recipe; do
   echo "fuzz_$format: $seconds s"
   mkdir -p "$build/found/$format"
   "$build/fuzz/fuzz_$format" "$build/found/$format" "$here/corpus/$format" \

@@ -15,6 +15,8 @@ using Action = std::function<int()>;
 
 void add_crack(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
+void add_render(CLI::App& app, Action& action);
+void add_stats(CLI::App& app, Action& action);
 void add_presets(CLI::App& app, Action& action);
 void add_parameters(CLI::App& app, Action& action);
 

@@ -56,6 +56,14 @@ void add_outputs(CLI::App& verb, RunRequest& request) {
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--picture", request.picture, "A picture: .png")->type_name("FILE")->group(group);
+  verb.add_option("--frames", request.frames, "Pictures of the growth: DIR/frame_0000.png ...")
+      ->type_name("DIR")
+      ->group(group);
+  verb.add_option("--frame-count", request.frame_count, "How many frames")
+      ->type_name("N")
+      ->check(CLI::Range(1, 9999))
+      ->capture_default_str()
+      ->group(group);
   verb.add_option("--report", request.report, "What was done, as JSON; -: to standard output")
       ->type_name("FILE")
       ->group(group);
@@ -74,6 +82,10 @@ void add_crack(CLI::App& app, Action& action) {
       ->required()
       ->type_name("");
   add_outputs(*verb, options->request);
+  verb->add_option("--material", options->request.material,
+                   "What the picture shows: clay, mud, glaze, plaster, glass or paint")
+      ->type_name("NAME")
+      ->capture_default_str();
   CLI::Option* preset = verb->add_option("--preset", options->preset, "See craze presets");
   preset->type_name("NAME");
   verb->add_option("--recipe", options->recipe, "A recipe of your own, TOML")

@@ -45,6 +45,8 @@ int run_command(int argc, char** argv) {
   app.require_subcommand(1);
   Action action;
   add_crack(app, action);
+  add_render(app, action);
+  add_stats(app, action);
   add_check(app, action);
   add_presets(app, action);
   add_parameters(app, action);
@@ -54,7 +56,8 @@ int run_command(int argc, char** argv) {
   } catch (const CLI::Success& e) {
     std::ostringstream help;
     app.exit(e, help, help);
-    return print(help.str() + "\n");
+    const std::string text = help.str();
+    return print(text.back() == '\n' ? text : text + "\n");
   } catch (const CLI::ParseError& e) {
     const std::string verb = said_to(app);
     print_error("wrong usage (" + verb + "): " + e.what() + "; see " + verb + " --help");

@@ -14,8 +14,8 @@ namespace {
 TEST(CrackOrder, SequentialSplittingIsSeenAsSequential) {
   for (const NullModel model : {NullModel::orthogonal_splitting, NullModel::stit}) {
     const Statistics s = compute_statistics(null_graph(model, 800, 3));
-    EXPECT_GE(s.leg_younger.value, 0.995) << name(model);
-    EXPECT_GE(s.kendall_tau.value, 0.99) << name(model);
+    EXPECT_GE(s.leg_younger.value, 0.995) << to_string(model);
+    EXPECT_GE(s.kendall_tau.value, 0.99) << to_string(model);
   }
 }
 

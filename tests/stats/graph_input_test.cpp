@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "craze/base/error.h"
+#include "craze/stats/null_models.h"
 #include "craze/stats/statistics.h"
 
 namespace craze {
@@ -121,10 +124,10 @@ TEST(GraphInput, TheBorderOfAPlateIsItsWindow) {
 TEST(GraphInput, ASkeletonIsSeenThroughTheBoxAroundIt) {
   LineSet lines;
   lines.points = {{0, 0, 0}, {3, 0, 0}, {3, 0, 0}, {3, 2, 0}};
-  lines.edges = {{0, 1}, {2, 3}, {1, 2}};
+  lines.edges = {{0, 1}, {2, 3}, {1, 2}, {1, 0}};
   const CrackGraphInput graph = graph_from_lines(lines);
   EXPECT_EQ(graph.points.size(), 3u) << "equal points are one";
-  EXPECT_EQ(graph.edges.size(), 2u) << "and what joins them is none";
+  EXPECT_EQ(graph.edges.size(), 2u) << "what joins them is none, a repeated edge one";
   const auto window = find_window(graph);
   ASSERT_TRUE(window);
   EXPECT_FALSE(window->drawn);
@@ -138,6 +141,28 @@ TEST(GraphInput, LinesInSpaceNeedNormals) {
   EXPECT_THROW(graph_from_lines(lines), Error);
   lines.point_attributes.push_back({"normal", 3, {0, 0, 1, 0, 0, 1, 1, 1, 1, 1, 0, 0}});
   EXPECT_EQ(graph_from_lines(lines).edges.size(), 3u);
+}
+
+TEST(GraphInput, NullModelsAreNamedLikeShapes) {
+  EXPECT_EQ(graph_from_file("null:stit?cells=50&seed=3").edges.size(),
+            null_graph(NullModel::stit, 50, 3).edges.size());
+  EXPECT_EQ(graph_from_file("null:square").points.size(),
+            null_graph(NullModel::square, 2000, 1).points.size());
+  for (const char* wrong : {"null:", "null:pentagonal", "null:stit?", "null:stit?cells=",
+                            "null:stit?cells=0", "null:stit?cells=-4", "null:stit?size=4",
+                            "null:stit?cells=4&", "null:stit?cells=99999999999999999999"}) {
+    EXPECT_THROW(graph_from_file(wrong), Error) << wrong;
+  }
+}
+
+TEST(GraphInput, FilesHoldLinesOrACrackedMesh) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir());
+  const std::filesystem::path lines = folder / "graph_input_lines.obj";
+  std::ofstream(lines) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n";
+  EXPECT_EQ(graph_from_file(lines).edges.size(), 2u);
+  const std::filesystem::path whole = folder / "graph_input_whole.obj";
+  std::ofstream(whole) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+  EXPECT_THROW(graph_from_file(whole), Error) << "a mesh without cracks";
 }
 
 TEST(GraphInput, AFewOrNoLinesAreNoError) {

@@ -5,6 +5,8 @@
 #ifndef __EMSCRIPTEN__
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include "craze/base/thread_sanitizer.h"
 #endif
 
 namespace craze {
@@ -15,13 +17,21 @@ void parallel_for(int threads, std::size_t n, std::size_t grain,
   const auto run_chunk = [&](std::size_t c) { body(c * grain, std::min(n, (c + 1) * grain)); };
 #ifndef __EMSCRIPTEN__
   if (threads != 1 && chunks > 1) {
-    const auto loop = [&] { tbb::parallel_for(std::size_t{0}, chunks, run_chunk); };
+    KnownOrder start, end;
+    const auto run_ordered = [&](std::size_t c) {
+      start.seen();
+      run_chunk(c);
+      end.passed();
+    };
+    const auto loop = [&] { tbb::parallel_for(std::size_t{0}, chunks, run_ordered); };
+    start.passed();
     // An arena of its own costs more than most loops: only where fewer threads are asked for.
     if (threads == 0 || threads >= tbb::this_task_arena::max_concurrency()) {
       loop();
     } else {
       tbb::task_arena(threads).execute(loop);
     }
+    end.seen();
     return;
   }
 #endif

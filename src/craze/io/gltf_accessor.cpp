@@ -69,8 +69,9 @@ std::string_view GltfAccessors::source(const std::string& uri) {
   std::string content;
   if (uri.starts_with("data:")) {
     const std::size_t comma = uri.find(";base64,");
-    auto decoded =
-        comma == uri.npos ? std::nullopt : decode_base64(std::string_view(uri).substr(comma + 8));
+    auto decoded = comma == std::string::npos
+                       ? std::nullopt
+                       : decode_base64(std::string_view(uri).substr(comma + 8));
     if (!decoded) json_.fail("a data URI is not base64");
     content = std::move(*decoded);
   } else if (loader_) {

@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::size_t triangles_mode = 4, strip_mode = 5, fan_mode = 6;
 constexpr Color white{1, 1, 1, 1};
+/// What looking at a primitive costs, counted in vertices.
+constexpr std::size_t primitive_cost = 16;
 
 }  // namespace
 
@@ -32,7 +34,7 @@ void GltfBuilder::add(const GltfInstance& instance) {
   const Json& mesh = json_.item(root_, "meshes", instance.mesh);
   std::map<std::string, std::size_t> first_vertices;
   for (const Json& primitive : json_.array(mesh, "primitives")) {
-    spend(1);
+    spend(primitive_cost);
     if (!primitive.is_object()) json_.fail("a primitive is not an object");
     add_primitive(primitive, instance.transform, first_vertices);
   }

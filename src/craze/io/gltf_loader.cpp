@@ -62,8 +62,8 @@ GltfLoader load_from_folder(const fs::path& folder) {
       fail_input(folder.string(), fmt::format("buffer file '{}' {}", printable(uri), why));
     };
     // A colon makes a scheme (file:, http:) or a drive, a backslash another system's path.
-    if (text.find_first_of(std::string(":\\\0", 3)) != text.npos || fs::path(text).is_absolute() ||
-        has_parent_step(text)) {
+    if (text.find_first_of(std::string(":\\\0", 3)) != std::string::npos ||
+        fs::path(text).is_absolute() || has_parent_step(text)) {
       refuse("is not a plain path inside the model's folder");
     }
     std::error_code broken;

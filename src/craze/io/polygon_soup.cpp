@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "craze/io/face_normal.h"
 #include "craze/io/input_error.h"
 #include "craze/io/polygon.h"
 
@@ -123,11 +124,9 @@ void normalize_corner_normals(SurfaceMesh& mesh) {
   for (std::size_t c = 0; c < mesh.corner_normals.size(); ++c) {
     Vec3& n = mesh.corner_normals[c];
     n = n.stableNormalized();
-    if (n.squaredNorm() > 0.5) continue;
-    const Triangle& t = mesh.triangles[c / 3];
-    const Vec3& p = mesh.positions[t[0]];
-    n = (mesh.positions[t[1]] - p).cross(mesh.positions[t[2]] - p).stableNormalized();
-    if (!(n.squaredNorm() > 0.5)) n = Vec3::UnitZ();
+    if (std::abs(n.squaredNorm() - 1) < 1e-9) continue;
+    n = face_normal(mesh, c / 3);
+    if (n.isZero()) n = Vec3::UnitZ();
   }
 }
 

@@ -125,7 +125,7 @@ void weld(const std::vector<Vec3>& corners, SurfaceMesh& mesh) {
 
 bool starts_with_solid(std::string_view bytes) {
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
-  return start != bytes.npos && equal_ignoring_case(bytes.substr(start, 5), "solid");
+  return start != std::string::npos && equal_ignoring_case(bytes.substr(start, 5), "solid");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "craze/io/byte_order.h"
+#include "craze/io/face_normal.h"
 #include "craze/io/single_precision.h"
 #include "craze/io/stl.h"
 
@@ -10,11 +11,10 @@ std::string format_stl(const SurfaceMesh& mesh) {
   bytes.replace(0, title.size(), title);
   bytes.reserve(84 + 50 * mesh.triangles.size());
   append(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    const Vec3 normal = (b - a).cross(c - a).stableNormalized();  // zero stays zero
-    for (const Vec3& v : {normal, a, b, c}) {
-      for (const float x : to_floats(v, "STL")) append(bytes, x);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    for (const float x : to_floats(face_normal(mesh, f), "STL")) append(bytes, x);
+    for (const std::int32_t v : mesh.triangles[f]) {
+      for (const float x : to_floats(mesh.positions[v], "STL")) append(bytes, x);
     }
     append(bytes, std::uint16_t{0});
   }

@@ -122,7 +122,8 @@ ClosestPoint::Hit ClosestPoint::find(const Vec3& point, const Filter& filter) co
   std::array<Entry, 128> stack;  // two entries per level of a balanced tree of at most 2³¹ faces
   std::size_t top = 0;
   stack[top++] = {0, squared_distance(nodes_[0].low, nodes_[0].high, point)};
-  while (top > 0) {
+  const double enough = filter.enough * filter.enough;
+  while (top > 0 && best.distance > enough) {
     const Entry e = stack[--top];
     if (e.distance >= best.distance) continue;
     const Node& node = nodes_[e.node];

@@ -22,6 +22,7 @@ class ClosestPoint {
     Vec3 normal = Vec3::Zero();  ///< only faces that do not look away from it; zero: any
     std::int32_t label = -1;     ///< only faces of this label; −1: any
     std::int32_t hint = -1;      ///< a face that is likely near: makes the search shorter
+    double enough = 0;           ///< any face within this distance will do
   };
 
   /// labels: #F or empty. Keeps references: positions and triangles must outlive this.
@@ -30,7 +31,7 @@ class ClosestPoint {
 
   /// Ties go to whichever face the search meets first, the same one every time. Thread-safe.
   Hit find(const Vec3& point, const Filter& filter) const;
-  Hit find(const Vec3& point) const { return find(point, Filter{}); }
+  Hit find(const Vec3& point) const { return find(point, Filter()); }
 
   const Vec3& normal(std::int32_t f) const { return normals_[f]; }
 

@@ -1,7 +1,9 @@
 #include "craze/mesh/feature_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace craze {
 
@@ -60,19 +62,50 @@ std::vector<char> feature_lines(const SurfaceMesh& surface, const TriangleMesh& 
                                 double angle) {
   const double cosine = std::cos(angle * std::numbers::pi / 180);
   std::vector<Vec3> normals;
+  normals.reserve(mesh.face_count());
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) normals.push_back(unit_normal(mesh, f));
   const UvSeams uvs(surface, mesh);
   const auto& materials = surface.face_materials;
   std::vector<char> marks(3 * mesh.face_count(), no_feature);
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
     const std::int32_t o = mesh.opposite(h);
-    if (o < 0) {
-      marks[h] = crease;
-    } else if (uvs.is_seam(h, o) || (!materials.empty() && materials[h / 3] != materials[o / 3])) {
+    if (o >= 0 &&
+        (uvs.is_seam(h, o) || (!materials.empty() && materials[h / 3] != materials[o / 3]))) {
       marks[h] = seam;
-    } else if (normals[h / 3].dot(normals[o / 3]) < cosine) {
+    } else if (o < 0 || normals[h / 3].dot(normals[o / 3]) < cosine) {
       marks[h] = crease;
     }
+  }
+  return marks;
+}
+
+std::vector<char> without_short_creases(const TriangleMesh& mesh, std::vector<char> marks,
+                                        const std::vector<double>& wanted) {
+  // Vertices joined by marked edges form a web, named by its lowest vertex.
+  std::vector<std::int32_t> web(mesh.vertex_count());
+  std::iota(web.begin(), web.end(), 0);
+  const auto find = [&](std::int32_t v) {
+    while (web[v] != v) v = web[v] = web[web[v]];
+    return v;
+  };
+  const std::int32_t halfedges = 3 * mesh.face_count();
+  for (std::int32_t h = 0; h < halfedges; ++h) {
+    if (marks[h] == no_feature) continue;
+    const std::int32_t a = find(mesh.from(h)), b = find(mesh.to(h));
+    web[std::max(a, b)] = std::min(a, b);
+  }
+  const double needed = 4;
+  std::vector<double> edges(web.size(), 0);  // the length of a web in wanted edge lengths
+  for (std::int32_t h = 0; h < halfedges; ++h) {
+    const std::int32_t a = mesh.from(h), b = mesh.to(h);
+    if (marks[h] == no_feature || mesh.opposite(h) > h) continue;
+    const bool stays = marks[h] == seam || mesh.is_open(h);
+    edges[find(a)] +=
+        stays ? needed
+              : (mesh.position(b) - mesh.position(a)).norm() / (0.5 * (wanted[a] + wanted[b]));
+  }
+  for (std::int32_t h = 0; h < halfedges; ++h) {
+    if (marks[h] == crease && edges[find(mesh.from(h))] < needed) marks[h] = no_feature;
   }
   return marks;
 }

@@ -21,6 +21,11 @@ enum FeatureLine : char {
 /// spokes of a pole, where each face has a UV of its own for one and the same vertex, are no seams.
 std::vector<char> feature_lines(const SurfaceMesh& surface, const TriangleMesh& mesh, double angle);
 
+/// The marks without creases inside the surface that are shorter, together with those they touch,
+/// than four times the edge length wanted there (#V): the noise of a scan.
+std::vector<char> without_short_creases(const TriangleMesh& mesh, std::vector<char> marks,
+                                        const std::vector<double>& wanted);
+
 /// #F: the number of the patch each face lies in; patches are parted by halfedges with marks ≥
 /// `least`. opposite(h) gives the other side of h, negative on a border.
 template <class Opposite>

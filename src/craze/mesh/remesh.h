@@ -28,7 +28,9 @@ struct RemeshOptions {
 ///
 /// Borders, folds sharper than feature_angle, UV seams and borders of materials remain lines:
 /// vertices are put on them, never beside them; a seam keeps its exact course, the others within
-/// max_distance. The middle of every edge and face lies within max_distance of the input.
+/// max_distance. The middle of every edge and face lies
+/// within max_distance of the input, but for places where the input folds back on itself within an
+/// edge. Creases shorter than a few edges are taken for noise.
 ///
 /// UVs, normals, colours and vertex attributes are interpolated at the nearest point of the input,
 /// on the side of a seam on which the face lies; materials, face attributes and source_faces (the

@@ -44,8 +44,9 @@ struct MaterialParameters {
   double toughness = 1;  ///< τ
   double strength = 1;
   Criterion criterion = Criterion::force;
-  double alpha = 0.5;  ///< α of Eq. 8
-  double scatter = 0;  ///< relative scatter of the strength
+  double alpha = 0.5;       ///< α of Eq. 8
+  double process_zone = 0;  ///< length around a tip in which no other node fails; 0: ℓ / 2
+  double scatter = 0;       ///< relative scatter of the strength
   CurvatureScale curvature_scale = CurvatureScale::none;
   double bias = 0;        ///< preference for principal directions (Fig. 2)
   std::string attribute;  ///< of the input, multiplies toughness and strength; 0: no crack, ever

@@ -14,6 +14,10 @@ double screening_length(const LayerParameters& layer) {
   return layer.screening_length;
 }
 
+double process_zone(const MaterialParameters& material, const LayerParameters& layer) {
+  return material.process_zone > 0 ? material.process_zone : 0.5 * screening_length(layer);
+}
+
 double adhesion(const LayerParameters& layer) {
   const double length = screening_length(layer);
   return length > 0 ? 1 / (length * length) : 0;

@@ -13,4 +13,8 @@ double adhesion(const LayerParameters& layer);
 /// ℓ in length units: as given, or derived from the asked-for spacing; 0: no adhesion.
 double screening_length(const LayerParameters& layer);
 
+/// Length around a crack tip in which no intact node fails (failure_criterion.h): as given, else
+/// half of ℓ.
+double process_zone(const MaterialParameters& material, const LayerParameters& layer);
+
 }  // namespace craze

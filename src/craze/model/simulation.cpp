@@ -8,6 +8,7 @@
 
 #include "craze/base/error.h"
 #include "craze/base/parallel.h"
+#include "craze/model/screening.h"
 
 namespace craze {
 
@@ -31,8 +32,8 @@ class Stopwatch {
 constexpr std::int64_t largest_batch = 64;
 // A node that could not open on a plane is tried again when the plane has turned this much.
 constexpr double arrest_cosine = 0.98;
-// Keeps v⁺/τ finite at nodes without any toughness.
-constexpr double least_toughness = 1e-100;
+// Keeps v⁺ over the threshold finite where the surface has no toughness at all.
+constexpr double least_scale = 1e-100;
 
 void check_size(std::size_t size, std::size_t expected, const char* name) {
   if (size != 0 && size != expected) {
@@ -62,12 +63,15 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
     : parameters_(parameters),
       fields_(std::move(fields)),
       mesh_(std::move(mesh)),
-      field_(mesh_, engine_singular_value_cap(mesh_, parameters.engine)) {
+      field_(mesh_, engine_singular_value_cap(mesh_, parameters.engine)),
+      criterion_(parameters.material, process_zone(parameters.material, parameters.layer)) {
   const auto faces = static_cast<std::size_t>(mesh_.face_count());
   check_size(fields_.stress.size(), faces, "stress");
   check_size(fields_.growth.size(), faces, "growth");
   check_size(fields_.toughness_scale.size(), faces, "toughness scale");
   check_size(fields_.separation_scale.size(), faces, "separation scale");
+  check_size(fields_.adhesion_scale.size(), faces, "adhesion scale");
+  check_size(fields_.preferred.size(), faces, "preferred directions");
   check_size(fields_.fixed.size(), static_cast<std::size_t>(mesh_.vertex_count()), "fixed");
 
   // 1. Initialize the stress field according to heuristics and optionally evolve it.
@@ -78,6 +82,7 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
     tension += 0.5 * (sigma.xx + sigma.yy + sigma.zz) * mesh_.area(f);
     area += mesh_.area(f);
   }
+  if (!fields_.adhesion_scale.empty()) field_.set_adhesion(mesh_, fields_.adhesion_scale);
   field_.update_forces(mesh_);
   evolution_ = make_evolution(mesh_, parameters_,
                               {area > 0 ? tension / area : 0, &fields_.growth, fields_.fixed});
@@ -166,15 +171,13 @@ void Simulation::crack_mesh() {
 bool Simulation::crack_at(std::int32_t v) {
   const CrackRules rules{parameters_.crack.snap_angle * std::numbers::pi / 180,
                          parameters_.crack.back_angle * std::numbers::pi / 180};
-  const Eigenpair failure = failing_[v];
-  const double tau = std::max(
-      least_toughness, parameters_.material.toughness * scale_at(fields_.toughness_scale, v));
-  open_crack(mesh_, field_, v, failure.vector, rules, static_cast<std::int32_t>(segments()),
+  const Failure failure = failing_[v];
+  open_crack(mesh_, field_, v, failure.normal, rules, static_cast<std::int32_t>(segments()),
              outcome_);
   queue_.remove(v);
   residuals_.erase(v);
   if (outcome_.empty()) {
-    arrested_[v] = failure.vector;
+    arrested_[v] = failure.normal;
     return false;
   }
   for (const CrackSegment& s : outcome_.segments) {
@@ -183,16 +186,17 @@ bool Simulation::crack_at(std::int32_t v) {
   ++events_;
 
   // [IO06 Eq. 8] The residual v* = v⁺ − τ drives the new tips on.
-  const double excess = (failure.value * evolution_->load() - 1) * tau;
+  const double excess = (failure.measure * evolution_->load() - 1) * failure.threshold;
   for (const std::int32_t tip : outcome_.tips) {
     Sym3 residual;
-    add_outer(residual, parameters_.material.alpha * excess, failure.vector);
+    add_outer(residual, parameters_.material.alpha * excess, failure.normal);
     residuals_[tip] = residual;
   }
   for (const std::int32_t n : outcome_.changed_nodes) {
     changed_.push_back(n);
     arrested_.erase(n);
     queue_.remove(n);
+    criterion_.node_changed(mesh_, n);
   }
   hold_new_nodes();
   evolution_->mesh_changed(mesh_, outcome_);
@@ -229,7 +233,7 @@ void Simulation::update_failure_criteria(const Context& context) {
     for (std::size_t i = begin; i < end; ++i) evaluate(changed_[i]);
   });
   for (const std::int32_t v : changed_) {
-    queue_.set(v, failing_[v].value);
+    queue_.set(v, failing_[v].measure);
     // A tip that does not fail has stopped: its residual is spent.
     if (!fails_now(v)) residuals_.erase(v);
   }
@@ -238,28 +242,45 @@ void Simulation::update_failure_criteria(const Context& context) {
 
 void Simulation::evaluate(std::int32_t v) {
   failing_[v] = {};
-  const double tau = std::max(
-      least_toughness, parameters_.material.toughness * scale_at(fields_.toughness_scale, v));
-  const double scale = scale_at(fields_.separation_scale, v);
-  const double floor = tau / evolution_->highest_load(), load = evolution_->load();
+  const double scale = std::max(least_scale, scale_at(fields_.toughness_scale, v));
+  const double highest = evolution_->highest_load(), load = evolution_->load();
+  const double weight = scale_at(fields_.separation_scale, v);
   const SeparationTensor separation = separation_tensor(mesh_, field_, v);
-  Eigenpair pair;
-  // A tip with a residual fails with its help now, or without it later.
-  if (const auto residual = residuals_.find(v); residual != residuals_.end() && load > 0) {
-    Sym3 tensor = scale * separation.tensor;
-    tensor += (1 / load) * residual->second;
-    pair = largest_eigenpair(tensor);
-    if (!(pair.value * load > tau)) pair.value = 0;
-  }
-  if (pair.value == 0 && scale * separation.bound > floor) {
-    pair = largest_eigenpair(scale * separation.tensor);
-  }
-  if (!(pair.value > floor)) return;
-  const auto arrested = arrested_.find(v);
-  if (arrested != arrested_.end() && std::abs(arrested->second.dot(pair.vector)) > arrest_cosine) {
+  const auto residual = residuals_.find(v);
+  const bool has_residual = residual != residuals_.end() && load > 0;
+  if (!has_residual && weight * separation.bound * highest <= criterion_.least_threshold(scale)) {
     return;
   }
-  failing_[v] = {pair.value / tau, pair.vector};
+  Sym3 tensor = weight * separation.tensor;
+  if (!fields_.preferred.empty()) {
+    const std::int32_t f = mesh_.first_halfedge(v) / 3;
+    tensor =
+        bias_direction(tensor, fields_.preferred[mesh_.source_face(f)], parameters_.material.bias);
+  }
+  Failure failure;
+  // A tip with a residual fails with its help now, or without it later.
+  if (has_residual) {
+    Sym3 driven = tensor;
+    driven += (1 / load) * residual->second;
+    failure = failure_of(v, driven, scale);
+    if (!(failure.measure * load > 1)) failure.measure = 0;
+  }
+  if (failure.measure == 0) failure = failure_of(v, tensor, scale);
+  if (!(failure.measure * highest > 1)) return;
+  const auto arrested = arrested_.find(v);
+  if (arrested != arrested_.end() &&
+      std::abs(arrested->second.dot(failure.normal)) > arrest_cosine) {
+    return;
+  }
+  failing_[v] = failure;
+}
+
+Simulation::Failure Simulation::failure_of(std::int32_t v, const Sym3& separation,
+                                           double scale) const {
+  const Eigenpair pair = largest_eigenpair(separation);
+  if (!(pair.value > 0)) return {};
+  const double threshold = criterion_.threshold(mesh_, v, pair.vector, scale);
+  return {threshold > 0 ? pair.value / threshold : 0, threshold, pair.vector};
 }
 
 double Simulation::scale_at(const std::vector<double>& per_face, std::int32_t v) const {

@@ -10,7 +10,9 @@
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/crack_insertion.h"
 #include "craze/model/crack_network.h"
+#include "craze/model/direction_bias.h"
 #include "craze/model/evolution.h"
+#include "craze/model/failure_criterion.h"
 #include "craze/model/failure_queue.h"
 #include "craze/model/parameters.h"
 #include "craze/model/separation_tensor.h"
@@ -25,7 +27,9 @@ struct SimulationFields {
   std::vector<Sym3> growth;              ///< added to σ per step besides the shrinkage
   std::vector<double> toughness_scale;   ///< factor on τ and strength, ≥ 0; ∞: never fails
   std::vector<double> separation_scale;  ///< factor on ς, ≥ 0 (Figs. 4 and 10)
-  std::vector<char> fixed;               ///< per vertex: 1 where the surface is held
+  std::vector<double> adhesion_scale;    ///< factor on κ, ≥ 0
+  std::vector<PreferredDirection> preferred;  ///< which way cracks like to run (Fig. 2)
+  std::vector<char> fixed;                    ///< per vertex: 1 where the surface is held
 };
 
 enum class StopReason {
@@ -78,6 +82,12 @@ class Simulation {
     std::int32_t event;
   };
 
+  struct Failure {
+    double measure = 0;    // v⁺ at load 1 over the threshold; 0: cannot fail
+    double threshold = 0;  // force
+    Vec3 normal = Vec3::Zero();
+  };
+
   bool can_continue(const Context& context);
   bool fails_now(std::int32_t v) const;
   void crack_mesh();
@@ -86,6 +96,7 @@ class Simulation {
   void evolve(const Context& context);
   void update_failure_criteria(const Context& context);
   void evaluate(std::int32_t v);
+  Failure failure_of(std::int32_t v, const Sym3& separation, double scale) const;
   double scale_at(const std::vector<double>& per_face, std::int32_t v) const;
 
   SimulationParameters parameters_;
@@ -93,14 +104,15 @@ class Simulation {
   TriangleMesh mesh_;
   StressField field_;
   std::unique_ptr<Evolution> evolution_;
-  FailureQueue queue_;  // by v⁺ at load 1 over the toughness
+  FailureCriterion criterion_;
+  FailureQueue queue_;  // by v⁺ at load 1 over the threshold
   CrackOutcome outcome_;
 
   std::vector<Segment> segments_;
   std::unordered_map<std::int32_t, Sym3> residuals_;  // Eq. 8, of live tips
   std::unordered_map<std::int32_t, Vec3> arrested_;   // planes on which a node could not open
-  std::vector<Eigenpair> failing_;     // #V, (v⁺ at load 1 over τ, n̂⁺); value 0: cannot fail
-  std::vector<std::int32_t> changed_;  // nodes to be evaluated again
+  std::vector<Failure> failing_;                      // #V
+  std::vector<std::int32_t> changed_;                 // nodes to be evaluated again
 
   std::int64_t events_ = 0;
   StopReason stop_ = StopReason::equilibrium;

@@ -92,8 +92,15 @@ void StressField::displace(std::int32_t f, const Triangle& corners, const Vec4d&
 
 void StressField::update_node_area(const TriangleMesh& mesh, std::int32_t v) {
   double area = 0;
-  mesh.for_each_outgoing(v, [&](std::int32_t h) { area += mesh.area(h / 3); });
+  mesh.for_each_outgoing(v, [&](std::int32_t h) {
+    area += mesh.area(h / 3) * (adhesion_.empty() ? 1 : adhesion_[mesh.source_face(h / 3)]);
+  });
   node_areas_[v] = area / 3;
+}
+
+void StressField::set_adhesion(const TriangleMesh& mesh, std::vector<double> factors) {
+  adhesion_ = std::move(factors);
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) update_node_area(mesh, v);
 }
 
 void StressField::follow(const TriangleMesh& mesh, const TriangleMesh::Split& split,

@@ -49,8 +49,11 @@ class StressField {
   }
   std::vector<Vec4d>& forces() { return forces_; }
   std::vector<Vec4d>& displacements() { return displacements_; }
-  /// A third of the area of the faces around each node.
+  /// #V, A_n in the adhesion κ A_n u_n: a third of the area of the faces around each node, each
+  /// times the factor of its source face given to set_adhesion.
   const std::vector<double>& node_areas() const { return node_areas_; }
+  /// Factors on κ per source face, ≥ 0; copied.
+  void set_adhesion(const TriangleMesh& mesh, std::vector<double> factors);
 
   /// [IO06 Eq. 1] summed over the star of v / over all nodes.
   void update_force(const TriangleMesh& mesh, std::int32_t v);
@@ -75,6 +78,7 @@ class StressField {
   void update_node_area(const TriangleMesh& mesh, std::int32_t v);
 
   double cap_;
+  std::vector<double> adhesion_;      // per source face; empty: 1
   std::vector<Element> elements_;     // #F
   std::vector<Vec4d> forces_;         // #V
   std::vector<Vec4d> displacements_;  // #V

@@ -34,7 +34,7 @@ const std::vector<Material>& materials() {
        .line_strength = 0.88f,
        .stain = 0.28f},
       {.name = "plaster",
-       .color = from_srgb(232, 228, 220),
+       .color = from_srgb(216, 211, 202),
        .wall = from_srgb(168, 160, 148),
        .mottle = 0.05f,
        .bump = 0.04f,

@@ -31,8 +31,8 @@ Studio::Studio(const Camera& camera, const Rgb& backdrop)
 
 Rgb Studio::sky(const Vec3f& d) const {
   const float height = d.dot(vertical_);
-  const Rgb zenith(0.42f, 0.44f, 0.48f), horizon(0.26f, 0.27f, 0.29f), floor(0.20f, 0.19f, 0.18f);
-  if (height < 0) return {floor};
+  if (height < 0) return {0.20f, 0.19f, 0.18f};  // light from the floor
+  const Rgb zenith(0.42f, 0.44f, 0.48f), horizon(0.26f, 0.27f, 0.29f);
   const float side = 0.5f + 0.5f * d.dot(lamp_);
   return (horizon + height * (zenith - horizon)) * (0.55f + 0.75f * side * side);
 }

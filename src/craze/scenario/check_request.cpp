@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "craze/base/error.h"
+#include "craze/render/material.h"
 #include "craze/scenario/run.h"
 
 namespace craze {
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Output {
   const char* what;
-  const std::string& path;
+  std::string path;
   std::vector<std::string> extensions;
 };
 
@@ -55,6 +56,12 @@ void check_folder(const Output& output) {
 
 }  // namespace
 
+void check_picture_path(const std::string& path) {
+  const Output picture{"the picture", path, {".png"}};
+  check_extension(picture);
+  check_folder(picture);
+}
+
 void check_request(const RunRequest& request) {
   const bool report_file = !request.report.empty() && request.report != "-";
   const std::string none;
@@ -76,9 +83,15 @@ void check_request(const RunRequest& request) {
                   std::string("the same file is asked for ") + at->second);
     }
   }
-  if (taken.empty() && request.report.empty()) {
+  if (!request.frames.empty()) {
+    // The folder itself may be new, the one it lies in may not.
+    const fs::path frames = fs::path(request.frames) / "frame_0000.png";
+    if (fs::exists(request.frames)) check_folder({"the frames", frames.string(), {}});
+  }
+  render::find_material(request.material);
+  if (taken.empty() && request.report.empty() && request.frames.empty()) {
     throw Error(ErrorKind::usage, "nothing to write", "",
-                "give -o FILE, or one of --lines, --picture, --fields, --report");
+                "give -o FILE, or one of --lines, --picture, --frames, --fields, --report");
   }
 }
 

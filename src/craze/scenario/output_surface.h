@@ -11,7 +11,8 @@ namespace craze {
 /// per vertex: crack_distance, along the surface to the nearest crack, the diagonal of the box
 /// where there is none; crack_time, when that crack opened, −1 where there is none; displacement,
 /// Eq. 9 with γ = 1. Per face: fragment, the part of the cut mesh; source_face, the input's face.
-/// Attributes of these names that the surface already has are replaced.
+/// Attributes of these names that the surface already has are replaced. Cracks are shut: see
+/// opened_surface.
 SurfaceMesh output_surface(const SurfaceMesh& surface, const Simulation& simulation,
                            const Components& fragments);
 

@@ -81,7 +81,11 @@ std::vector<Parameter> make_table() {
       .add("hoop", &Impact::hoop, any,
            {.help = "tension around the point: opens rays", .unit = "stress"})
       .add("falloff", &Impact::falloff, not_negative,
-           {.help = "exponent of the decay beyond the radius"});
+           {.help = "exponent of the decay beyond the radius"})
+      .add("radial_falloff", &Impact::radial_falloff, not_negative,
+           {.help = "exponent for the radial part alone; 0: falloff"})
+      .add("hoop_falloff", &Impact::hoop_falloff, not_negative,
+           {.help = "exponent for the hoop part alone; 0: falloff"});
 
   Section(
       t, "material.", [](auto& r, std::size_t) -> auto& { return r.simulation.material; })
@@ -102,15 +106,24 @@ std::vector<Parameter> make_table() {
            {.help = "share of the excess carried to the new tips: low is jagged, high is straight",
             .symbol = "α",
             .source = "[IO06 Eq. 8]"})
+      .add("process_zone", &MaterialParameters::process_zone, not_negative,
+           {.help = "no intact place fails this close to a crack tip (criterion \"strength\"); 0: "
+                    "half the screening length",
+            .unit = "length"})
       .add("scatter", &MaterialParameters::scatter, share,
            {.help = "random part of the strength, relative standard deviation"})
       .add("curvature_scale", &MaterialParameters::curvature_scale, any,
            {.help = "what of the curvature multiplies the separation tensor",
             .source = "[IO06 §4.1, Figs. 4, 10]",
             .choices = {"none", "gaussian", "mean", "frobenius", "sum-of-squares"}})
-      .add("bias", &MaterialParameters::bias, not_negative,
+      .add("bias", &MaterialParameters::bias, share,
            {.help = "preference for cracks along the principal directions of curvature",
-            .source = "[IO06 Fig. 2]"});
+            .source = "[IO06 Fig. 2]"})
+      .add("attribute", &MaterialParameters::attribute, any,
+           {.help = "name of a scalar attribute of the input that multiplies toughness and "
+                    "strength; 0: no crack, ever"})
+      .add("texture", &MaterialParameters::texture, any,
+           {.help = "file of a grey picture in UV space that multiplies them too"});
 
   Section(
       t, "layer.", [](auto& r, std::size_t) -> auto& { return r.simulation.layer; })
@@ -119,7 +132,12 @@ std::vector<Parameter> make_table() {
       .add("screening_length", &LayerParameters::screening_length, not_negative,
            {.help = "over which a crack unloads its surroundings; 0: no adhesion, as in the paper",
             .symbol = "ℓ",
-            .unit = "length"});
+            .unit = "length"})
+      .add("attribute", &LayerParameters::attribute, any,
+           {.help = "name of a scalar attribute of the input that multiplies the spacing; 0: no "
+                    "crack, ever"})
+      .add("texture", &LayerParameters::texture, any,
+           {.help = "file of a grey picture in UV space that multiplies it too"});
 
   Section(
       t, "evolution.", [](auto& r, std::size_t) -> auto& { return r.simulation.evolution; })

@@ -236,7 +236,7 @@ void apply_set(Recipe& recipe, const std::string& assignment) {
     changed.simulation.impacts.emplace_back();
   }
   set_node(changed, *p, target.index, *table.get("value"), key,
-           [&](const toml::node&) { return where; });
+           [&](const toml::node&) -> std::string { return {where}; });
   recipe = std::move(changed);
 }
 

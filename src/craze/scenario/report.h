@@ -14,6 +14,11 @@ struct MeshCounts {
   std::int64_t vertices = 0, triangles = 0;
 };
 
+inline MeshCounts count_mesh(const SurfaceMesh& mesh) {
+  return {static_cast<std::int64_t>(mesh.positions.size()),
+          static_cast<std::int64_t>(mesh.triangles.size())};
+}
+
 struct CrackCounts {
   std::int64_t events = 0;     ///< nodes that failed
   std::int64_t segments = 0;   ///< mesh edges opened

@@ -5,14 +5,10 @@
 
 #include "craze/base/error.h"
 #include "craze/io/atomic_file.h"
-#include "craze/io/write_mesh.h"
-#include "craze/mesh/components.h"
 #include "craze/mesh/repair.h"
 #include "craze/model/simulation.h"
-#include "craze/scenario/fields.h"
 #include "craze/scenario/load_surface.h"
-#include "craze/scenario/output_surface.h"
-#include "craze/scenario/report.h"
+#include "craze/scenario/outputs.h"
 #include "craze/scenario/simulation_input.h"
 
 namespace craze {
@@ -33,26 +29,13 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-MeshCounts count(const SurfaceMesh& mesh) {
-  return {static_cast<std::int64_t>(mesh.positions.size()),
-          static_cast<std::int64_t>(mesh.triangles.size())};
-}
-
 int thread_count(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-double total_length(const CrackNetwork& network) {
-  double length = 0;
-  for (const CrackEdge& e : network.edges) {
-    length += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
-  }
-  return length;
-}
-
 SurfaceMesh load_and_repair(const RunRequest& request, RunReport& report) {
   const SurfaceMesh input = load_surface(request.input);
-  report.input = count(input);
+  report.input = count_mesh(input);
   SurfaceMesh surface = repair(input, {}, report.repair);
   if (surface.triangles.empty()) {
     throw Error(ErrorKind::input, "nothing to crack", request.input,
@@ -66,25 +49,6 @@ StopReason crack(Simulation& simulation, const RunRequest& request, const Contex
   return simulation.run(context);
 }
 
-/// Everything asked for but the report.
-void write_outputs(const RunRequest& request, const SurfaceMesh& surface,
-                   const Simulation& simulation, RunReport& report, const Context& context) {
-  const Components fragments = find_components(simulation.mesh());
-  report.cracks.fragments = fragments.count;
-  const SurfaceMesh output = output_surface(surface, simulation, fragments);
-  report.output = count(output);
-  if (!request.output.empty()) write_mesh(request.output, output);
-
-  const CrackNetwork network = simulation.network();
-  report.cracks.events = simulation.events();
-  report.cracks.segments = simulation.segments();
-  report.cracks.length = total_length(network);
-  if (!request.fields.empty()) {
-    write_mesh(request.fields,
-               field_mesh(simulation, request.recipe.simulation.stress.curvature_radius, context));
-  }
-}
-
 }  // namespace
 
 RunResult run(const RunRequest& request, const Context& context) {
@@ -96,14 +60,16 @@ RunResult run(const RunRequest& request, const Context& context) {
   report.threads = thread_count(context.threads);
 
   context.report({"load"});
-  const SurfaceMesh surface = simulation_surface(load_and_repair(request, report), report.recipe);
-  report.simulation = count(surface);
+  SurfaceMesh repaired = load_and_repair(request, report);
   report.time.load = phase.lap();
 
-  context.report({"prepare", -1, 0, report.simulation.triangles});
-  Simulation simulation(TriangleMesh(surface.positions, surface.triangles),
-                        simulation_fields(surface, report.recipe.simulation, context),
-                        report.recipe.simulation, context);
+  context.report({"prepare", -1, 0, static_cast<std::int64_t>(repaired.triangles.size())});
+  const SurfaceMesh surface = simulation_surface(std::move(repaired), report.recipe, context);
+  report.simulation = count_mesh(surface);
+  const SimulationParameters& parameters = report.recipe.simulation;
+  TriangleMesh mesh(surface.positions, surface.triangles);
+  SimulationFields fields = simulation_fields(surface, mesh, parameters, context);
+  Simulation simulation(std::move(mesh), std::move(fields), parameters, context);
   report.time.prepare = phase.lap();
 
   const StopReason reason = crack(simulation, request, context);

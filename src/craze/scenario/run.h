@@ -18,11 +18,14 @@ struct RunRequest {
   /// Crack events to stop after; unlike evolution.max_cracks, 0 means none: the initial state.
   std::optional<std::int64_t> max_cracks;
 
-  std::string output;   ///< the cracked mesh: .ply .obj .stl .glb
-  std::string lines;    ///< the cracks: .ply .obj .svg .json
-  std::string picture;  ///< .png
-  std::string fields;   ///< stress, forces and curvatures at the end: .ply
-  std::string report;   ///< .json, or "-": only in the result
+  std::string output;             ///< the cracked mesh: .ply .obj .stl .glb
+  std::string lines;              ///< the cracks: .ply .obj .svg .json
+  std::string picture;            ///< .png
+  std::string material = "clay";  ///< of the pictures: a name of render::materials()
+  std::string frames;             ///< a folder, made if need be: frame_0000.png … of the growth
+  int frame_count = 24;
+  std::string fields;  ///< stress, forces and curvatures at the end: .ply
+  std::string report;  ///< .json, or "-": only in the result
 };
 
 struct RunResult {
@@ -33,6 +36,9 @@ struct RunResult {
 /// Finds before any work what would fail after it: an output of a wrong kind (Error(usage)), a
 /// folder that does not exist or cannot be written, two outputs in one file, nothing asked for.
 void check_request(const RunRequest& request);
+
+/// The same for a picture alone.
+void check_picture_path(const std::string& path);
 
 /// Loads, repairs, cracks and writes, after check_request. Each file is whole or not there. Throws
 /// Error: input that cannot be read or used, files that cannot be written.

@@ -1,5 +1,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "craze/base/error.h"
 #include "craze/stats/graph_input.h"
@@ -58,6 +60,7 @@ CrackGraphInput graph_from_lines(const LineSet& lines) {
     graph.normals.assign(graph.points.size(), *normal);
   }
 
+  std::set<std::pair<std::int32_t, std::int32_t>> known;
   const Attribute* time = find_attribute(lines.edge_attributes, "time");
   const Attribute* event = find_attribute(lines.edge_attributes, "event");
   const Attribute* border = find_attribute(lines.edge_attributes, "border");
@@ -68,7 +71,8 @@ CrackGraphInput graph_from_lines(const LineSet& lines) {
     if (time) edge.time = time->values[e];
     if (event) edge.event = static_cast<std::int32_t>(event->values[e]);
     edge.border = border && border->values[e] != 0;
-    if (edge.a != edge.b) graph.edges.push_back(edge);
+    if (edge.a == edge.b || !known.insert(std::minmax({edge.a, edge.b})).second) continue;
+    graph.edges.push_back(edge);
   }
   return graph;
 }

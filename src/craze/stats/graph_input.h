@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -45,10 +46,10 @@ struct Window {
 /// bounding box of its points in the plane. None for a curved input or another border.
 std::optional<Window> find_window(const CrackGraphInput& input);
 
-/// Lines from a file. Points at equal positions are one. Reads the edge attributes "time", "event"
-/// and "border" (non-zero: border) and the point attribute "normal" (three components). Without
-/// normals the lines must lie in a plane (within 10⁻³ of their extent), else Error(request); its
-/// normal is taken with positive z (or y, or x, where z vanishes).
+/// Lines from a file. Points at equal positions are one, repeated edges too. Reads the edge
+/// attributes "time", "event" and "border" (non-zero: border) and the point attribute "normal"
+/// (three components). Without normals the lines must lie in a plane (within 10⁻³ of their extent),
+/// else Error(request); its normal is taken with positive z (or y, or x, where z vanishes).
 CrackGraphInput graph_from_lines(const LineSet& lines);
 
 /// A finished run: its cracks, with the border and the fragments of the mesh that it cut.
@@ -59,5 +60,10 @@ CrackGraphInput graph_from_network(const CrackNetwork& network, const TriangleMe
 /// (an edge opened at the later time of its ends). Meshes whose cracks were opened into gaps have
 /// no such edges: give their lines instead.
 CrackGraphInput graph_from_cut_mesh(const SurfaceMesh& mesh);
+
+/// A file of lines (see io/read_lines.h) or a cracked mesh, or "null:NAME?cells=N&seed=S" (see
+/// null_models.h). Throws Error(input) where it cannot be read, Error(request) where it holds no
+/// cracks.
+CrackGraphInput graph_from_file(const std::filesystem::path& path);
 
 }  // namespace craze

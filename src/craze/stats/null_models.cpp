@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
+#include "craze/base/error.h"
 #include "craze/stats/null_networks.h"
 
 namespace craze {
 
-std::string_view name(NullModel model) {
+std::string_view to_string(NullModel model) {
   constexpr std::string_view names[] = {"voronoi", "orthogonal", "stit",
                                         "square",  "hexagonal",  "brick"};
   return names[static_cast<int>(model)];
@@ -81,6 +83,40 @@ CrackGraphInput graph_in_square(const CrackNetwork& network, double side) {
 
 CrackGraphInput null_graph(NullModel model, std::int32_t cells, std::uint64_t seed) {
   return graph_in_square(null_network(model, cells, seed), std::sqrt(static_cast<double>(cells)));
+}
+
+CrackGraphInput null_graph(const std::string& text) {
+  const auto fail = [&](const std::string& why) {
+    throw Error(ErrorKind::usage, "unknown null model", text, why);
+  };
+  const std::string label = text.substr(0, text.find('?'));
+  const auto* model = std::find_if(std::begin(all_null_models), std::end(all_null_models),
+                                   [&](NullModel m) { return to_string(m) == label; });
+  if (model == std::end(all_null_models)) {
+    fail("it must be voronoi, orthogonal, stit, square, hexagonal or brick");
+  }
+  std::int32_t cells = 2000;
+  std::uint64_t seed = 1;
+  for (std::size_t at = text.find_first_of("?&"); at != std::string::npos;) {
+    const std::size_t end = text.find('&', at + 1);
+    const std::string pair = text.substr(at + 1, end == std::string::npos ? end : end - at - 1);
+    const std::size_t equals = pair.find('=');
+    const std::string digits = equals == std::string::npos ? "" : pair.substr(equals + 1);
+    if (digits.empty() || digits.size() > 18 ||
+        digits.find_first_not_of("0123456789") != std::string::npos) {
+      fail("write NAME?cells=N&seed=S with whole numbers");
+    }
+    const std::uint64_t number = std::stoull(digits);
+    if (pair.starts_with("cells=") && number >= 1 && number <= 1000000) {
+      cells = static_cast<std::int32_t>(number);
+    } else if (pair.starts_with("seed=")) {
+      seed = number;
+    } else {
+      fail("it takes cells (1 to 1000000) and seed");
+    }
+    at = end;
+  }
+  return null_graph(*model, cells, seed);
 }
 
 }  // namespace craze

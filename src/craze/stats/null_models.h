@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "craze/model/crack_network.h"
@@ -26,7 +27,7 @@ inline constexpr NullModel all_null_models[] = {NullModel::poisson_voronoi,
                                                 NullModel::brick};
 
 /// "voronoi", "orthogonal", "stit", "square", "hexagonal", "brick".
-std::string_view name(NullModel model);
+std::string_view to_string(NullModel model);
 
 /// Fraction of the longer side at which orthogonal splitting cuts, uniform in this range.
 inline constexpr double orthogonal_cut[2] = {0.3, 0.7};
@@ -41,5 +42,9 @@ CrackGraphInput graph_in_square(const CrackNetwork& network, double side);
 
 /// Both at once.
 CrackGraphInput null_graph(NullModel model, std::int32_t cells, std::uint64_t seed);
+
+/// From "NAME", "NAME?cells=N", "NAME?cells=N&seed=S"; 2000 cells and seed 1 where not given.
+/// Throws Error(usage) for anything else, or more than a million cells.
+CrackGraphInput null_graph(const std::string& text);
 
 }  // namespace craze

@@ -67,7 +67,7 @@ nlohmann::ordered_json to_json(const StatisticsWithSensitivity& s,
   }
   json["sensitivity"] = {{"half", values(s.at_half)}, {"double", values(s.at_double)}};
   for (const NullRow& row : nulls)
-    json["null"][std::string(name(row.model))] = values(row.statistics);
+    json["null"][std::string(to_string(row.model))] = values(row.statistics);
   return json;
 }
 
@@ -77,7 +77,7 @@ std::string to_text(const StatisticsWithSensitivity& s, const std::vector<NullRo
       s.result.junctions, s.result.cells, s.result.cells_found, s.result.edges,
       s.result.crack_length);
   text += fmt::format("{:<52}{:>10} {:>9}{:>10}{:>10}", "", "value", "error", "half", "double");
-  for (const NullRow& row : nulls) text += fmt::format("{:>11}", name(row.model));
+  for (const NullRow& row : nulls) text += fmt::format("{:>11}", to_string(row.model));
   text += '\n';
   for (const Quantity& q : quantities()) {
     const Estimate& e = s.result.*q.value;

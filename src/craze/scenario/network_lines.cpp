@@ -1,4 +1,4 @@
-#include "craze/scenario/crack_lines.h"
+#include "craze/scenario/network_lines.h"
 
 #include "craze/mesh/transfer_attributes.h"
 
@@ -17,7 +17,7 @@ Vec2 uv_at(const SurfaceMesh& surface, std::int32_t f, const Vec3& p) {
 
 }  // namespace
 
-LineSet crack_lines(const CrackNetwork& network, const SurfaceMesh& surface) {
+LineSet network_lines(const CrackNetwork& network, const SurfaceMesh& surface) {
   LineSet lines;
   Attribute junction{"junction", 1, {}}, normal{"normal", 3, {}};
   for (const CrackNode& node : network.nodes) {

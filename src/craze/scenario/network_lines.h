@@ -8,6 +8,6 @@ namespace craze {
 
 /// Point attributes: junction (JunctionKind as a number), nx ny nz. Edge attributes: time, width,
 /// event. UVs, two per edge, where the surface that the network's faces number has some.
-LineSet crack_lines(const CrackNetwork& network, const SurfaceMesh& surface);
+LineSet network_lines(const CrackNetwork& network, const SurfaceMesh& surface);
 
 }  // namespace craze

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Installs the Debian 12 packages that craze is built with; --dev adds what .ci/run checks it with.
+# Run as root. Asks nothing.
+set -euo pipefail
+
+packages=(
+  build-essential cmake ninja-build                  # compiler and build
+  libeigen3-dev libtbb-dev libfmt-dev                # linear algebra, threads, text
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev # command line, recipes, reports
+  libembree-dev libpng-dev                           # pictures
+  libgtest-dev librapidcheck-dev libassimp-dev       # tests; assimp reads back what craze writes
+)
+development=(
+  git ccache
+  clang-14 libclang-rt-14-dev libc++-14-dev libc++abi-14-dev  # sanitizers, fuzzing, the core on libc++
+  clang-tidy-14 clang-format-14 clang-tools-14
+  libbenchmark-dev
+)
+
+case "${1:-}" in
+  "") ;;
+  --dev) packages+=("${development[@]}") ;;
+  *) echo "usage: $0 [--dev]" >&2; exit 2 ;;
+esac
+
+export DEBIAN_FRONTEND=noninteractive
+apt-get update -qq
+apt-get install -y -qq --no-install-recommends "${packages[@]}" < /dev/null

@@ -1,0 +1,88 @@
+#include "craze/model/failure_criterion.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "craze/base/random.h"
+
+namespace craze {
+
+bool is_crack_tip(const TriangleMesh& mesh, std::int32_t v) {
+  const std::int32_t first = mesh.first_halfedge(v);
+  if (first < 0 || mesh.crack_of(first) < 0) return false;
+  std::int32_t last = first;
+  for (std::int32_t h = first; h >= 0; h = mesh.rotate(h)) last = h;
+  return mesh.crack_of(TriangleMesh::prev(last)) == mesh.crack_of(first);
+}
+
+double node_width(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal) {
+  double width = 0;
+  mesh.for_each_outgoing(v, [&](std::int32_t h) {
+    // A ∇λ_v = ½ (face normal) × (opposite edge).
+    const Vec3& a = mesh.position(mesh.to(h));
+    const Vec3& b = mesh.position(mesh.from(TriangleMesh::prev(h)));
+    const Vec3 face = (a - mesh.position(v)).cross(b - mesh.position(v));
+    const double area2 = face.norm();
+    if (area2 > 0) width += 0.5 * std::abs(normal.dot(face.cross(b - a))) / area2;
+  });
+  return 0.5 * width;
+}
+
+FailureCriterion::FailureCriterion(const MaterialParameters& material, double process_zone)
+    : material_(material), process_zone_(process_zone) {}
+
+double FailureCriterion::threshold(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal,
+                                   double scale) const {
+  if (material_.criterion == Criterion::force) return material_.toughness * scale;
+  const double width = node_width(mesh, v, normal);
+  if (is_crack_tip(mesh, v)) return material_.toughness * scale * std::sqrt(width);
+  if (in_process_zone(mesh, v)) return std::numeric_limits<double>::infinity();
+  return material_.strength * scale * width;
+}
+
+double FailureCriterion::least_threshold(double scale) const {
+  return material_.criterion == Criterion::force ? material_.toughness * scale : 0;
+}
+
+void FailureCriterion::node_changed(const TriangleMesh& mesh, std::int32_t v) {
+  if (material_.criterion == Criterion::force || !(process_zone_ > 0)) return;
+  if (static_cast<std::size_t>(mesh.vertex_count()) > listed_.size()) {
+    listed_.resize(mesh.vertex_count(), 0);
+  }
+  const bool tip = is_crack_tip(mesh, v);
+  if (tip == (listed_[v] != 0)) return;
+  listed_[v] = tip ? 1 : 0;
+  std::vector<std::int32_t>& cell = tips_[cell_of(mesh.position(v), 0, 0, 0)];
+  if (tip) {
+    cell.push_back(v);
+  } else {
+    cell.erase(std::find(cell.begin(), cell.end(), v));
+  }
+}
+
+bool FailureCriterion::in_process_zone(const TriangleMesh& mesh, std::int32_t v) const {
+  if (!(process_zone_ > 0)) return false;
+  const Vec3& p = mesh.position(v);
+  for (int dx = -1; dx <= 1; ++dx) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dz = -1; dz <= 1; ++dz) {
+        const auto cell = tips_.find(cell_of(p, dx, dy, dz));
+        if (cell == tips_.end()) continue;
+        for (const std::int32_t tip : cell->second) {
+          const double squared = (mesh.position(tip) - p).squaredNorm();
+          if (squared < process_zone_ * process_zone_) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+std::uint64_t FailureCriterion::cell_of(const Vec3& p, int dx, int dy, int dz) const {
+  const auto index = [&](double x, int d) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / process_zone_)) + d);
+  };
+  return hash_bits(index(p.x(), dx) ^ hash_bits(index(p.y(), dy) ^ hash_bits(index(p.z(), dz))));
+}
+
+}  // namespace craze

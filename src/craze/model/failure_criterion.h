@@ -1,0 +1,53 @@
+// When a node fails: the paper's toughness on v⁺, or strength and toughness that do not see the
+// mesh.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "craze/base/tensor.h"
+#include "craze/mesh/triangle_mesh.h"
+#include "craze/model/parameters.h"
+
+namespace craze {
+
+/// Whether v is the end of a crack inside the surface: both its open edges are sides of one crack
+/// edge.
+bool is_crack_tip(const TriangleMesh& mesh, std::int32_t v);
+
+/// The eigenvalue v⁺ that a unit uniaxial tension along the unit vector n̂ would give an interior
+/// node: ½ Σ A |n̂·∇λ_v| over its star, the half width over which the node carries that tension;
+/// length. v⁺ over it is the tension across the crack plane, whatever the mesh.
+double node_width(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal);
+
+/// Turns (v⁺, n̂⁺) of a node into a force threshold. Criterion "force": τ [IO06 §3.4]. Criterion
+/// "strength": an intact node fails at v⁺ = strength · w, a crack tip at v⁺ = toughness · √w, with
+/// w = node_width(n̂⁺), since the stress near a tip grows as 1/√distance; and no intact node fails
+/// within the process zone of a tip, where the stress is the tip's.
+class FailureCriterion {
+ public:
+  /// process_zone: length.
+  FailureCriterion(const MaterialParameters& material, double process_zone);
+
+  /// The v⁺ above which v fails by a crack plane of normal n̂; ∞ where it cannot. `scale` multiplies
+  /// toughness and strength.
+  double threshold(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal,
+                   double scale) const;
+  /// A lower bound of threshold over all planes, for skipping: 0 where none is cheap to have.
+  double least_threshold(double scale) const;
+
+  /// Keeps the list of tips up to date; call for every node whose star changed.
+  void node_changed(const TriangleMesh& mesh, std::int32_t v);
+
+ private:
+  bool in_process_zone(const TriangleMesh& mesh, std::int32_t v) const;
+  std::uint64_t cell_of(const Vec3& p, int dx, int dy, int dz) const;
+
+  MaterialParameters material_;
+  double process_zone_;
+  std::vector<char> listed_;                                           // #V, in tips_
+  std::unordered_map<std::uint64_t, std::vector<std::int32_t>> tips_;  // by cell of the zone's size
+};
+
+}  // namespace craze

@@ -1,0 +1,83 @@
+#include "app/command.h"
+
+namespace craze {
+namespace {
+
+class Errors : public CommandTest {};
+
+TEST_F(Errors, WrongUsageExitsWithTwo) {
+  expect_error({}, 2, "craze --help");
+  expect_error({"crakc"}, 2, "did you mean crack?");
+  expect_error({"crack"}, 2, "craze crack --help");
+  expect_error({"crack", "shape:plate", "--frobnicate"}, 2, "--frobnicate");
+  expect_error({"crack", "shape:plate"}, 2, "-o FILE");
+  expect_error({"crack", "shape:plate", "-o", "a.xyz"}, 2, ".glb");
+  expect_error({"crack", "shape:plate", "--lines", "a.png"}, 2, ".svg");
+  expect_error({"crack", "shape:plat", "-o", "a.ply"}, 2, "plate");
+  expect_error({"crack", "shape:plate", "-o", "a.ply", "--preset", "glase"}, 2, "glaze");
+  expect_error({"crack", "shape:plate", "-o", "a.ply", "--set", "material.tougness=1"}, 2,
+               "did you mean material.toughness?");
+  expect_error({"crack", "shape:plate", "-o", "a.ply", "--set", "material.alpha=2"}, 2, "[0, 1]");
+  expect_error({"crack", "shape:plate", "-o", "a.ply", "--seed", "-1"}, 2, "seed");
+  expect_error({"crack", "shape:plate", "-o", "a.ply", "--max-cracks", "-1"}, 2, "--max-cracks");
+  expect_error({"crack", "shape:plate", "-o", "a.ply", "--lines", "./a.ply"}, 2, "same file");
+  expect_error({"crack", "shape:plate", "-o", "a.ply", "--preset", "mud", "--recipe", "x.toml"}, 2,
+               "--preset");
+}
+
+TEST_F(Errors, AFailedRunExitsWithOne) {
+  expect_error({"crack", "missing.obj", "-o", "a.ply"}, 1, "missing.obj");
+  expect_error({"crack", "shape:plate", "-o", "missing/a.ply"}, 1, "folder does not exist");
+  expect_error({"crack", "shape:plate", "-o", "a.ply", "--recipe", "missing.toml"}, 1,
+               "missing.toml");
+  expect_error({"crack", "shape:plate?n=3", "-o", "a.ply", "--set", "stress.attribute=paint"}, 1,
+               "paint");
+  expect_error({"check", "missing.stl"}, 1, "missing.stl");
+}
+
+TEST_F(Errors, WrongOutputsAreFoundBeforeTheInputIsRead) {
+  expect_error({"crack", "missing.obj", "-o", "a.xyz"}, 2, "a.xyz");
+  expect_error({"crack", "missing.obj", "--report", "missing/r.json"}, 1, "missing/r.json");
+}
+
+TEST_F(Errors, ARecipeErrorNamesFileAndLine) {
+  std::ofstream(folder_ / "bad.toml") << "seed = 1\n[material]\nalfa = 0.5\n";
+  expect_error({"crack", "shape:plate", "-o", "a.ply", "--recipe", "../bad.toml"}, 2,
+               "../bad.toml:3:8");
+}
+
+TEST_F(Errors, AFailureLeavesAnOlderOutputAlone) {
+  std::ofstream(file("a.ply")) << "older";
+  std::ofstream(file("broken.obj")) << "v 0 0 0\nf 1 2 3\n";
+  EXPECT_EQ(run({"crack", "broken.obj", "-o", "a.ply"}).code, 1);
+  EXPECT_EQ(read_text(file("a.ply")), "older");
+}
+
+TEST_F(Errors, ControlCharactersDoNotReachTheTerminal) {
+  const CommandResult result =
+      run({"crack", "shape:plate", "-o", "a\x1b[31m\n.ply", "--set", "a=1"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
+  EXPECT_EQ(result.err.find('\n'), result.err.size() - 1);
+}
+
+TEST_F(Errors, AFullDiskIsSaid) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  const CommandResult result = finish(start({"parameters"}, "/dev/full"));
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.err.find("standard output"), std::string::npos);
+}
+
+TEST_F(Errors, AClosedPipeIsNoNews) {
+  const std::string command = std::string("'") + CRAZE_COMMAND + "' parameters --json 2> '" +
+                              (folder_ / "err").string() + "'; echo $? > '" +
+                              (folder_ / "code").string() + "'";
+  // The reader is gone before the command starts to write.
+  FILE* pipe = popen(("(sleep 0.2; " + command + ") | true").c_str(), "r");
+  pclose(pipe);
+  EXPECT_EQ(read_text(folder_ / "err"), "");
+  EXPECT_EQ(read_text(folder_ / "code"), "1\n");
+}
+
+}  // namespace
+}  // namespace craze

@@ -1,0 +1,61 @@
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "craze/scenario/presets.h"
+#include "craze/scenario/version.h"
+
+namespace craze {
+namespace {
+
+class Verbs : public CommandTest {};
+
+TEST_F(Verbs, HelpIsGivenWithExamplesOnStandardOutput) {
+  for (const char* verb : {"crack", "render", "stats", "check", "presets", "parameters"}) {
+    const CommandResult result = run({verb, "--help"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.err, "");
+    if (std::string(verb) != "parameters") {
+      EXPECT_NE(result.out.find(std::string("\n  craze ") + verb), std::string::npos) << verb;
+    }
+  }
+  EXPECT_EQ(run({"--version"}).out, "craze " + version() + "\n");
+}
+
+TEST_F(Verbs, PresetsAreListedAndPrinted) {
+  const std::string list = run({"presets"}).out;
+  for (const Preset& preset : presets()) {
+    EXPECT_NE(list.find(preset.name), std::string::npos);
+    EXPECT_EQ(run({"presets", std::string(preset.name)}).out, preset.text);
+  }
+}
+
+TEST_F(Verbs, ParametersAreListedAsTextAndJson) {
+  EXPECT_NE(run({"parameters"}).out.find("toughness = 1.0"), std::string::npos);
+  EXPECT_GT(nlohmann::json::parse(run({"parameters", "--json"}).out).size(), 30u);
+}
+
+TEST_F(Verbs, CheckSaysWhatRepairWouldDo) {
+  std::ofstream(file("a.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\nf 1 1 2\n";
+  const CommandResult text = run({"check", "a.obj"});
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_NE(text.out.find("flipped 1"), std::string::npos) << text.out;
+  const auto json = nlohmann::json::parse(run({"check", "a.obj", "--json"}).out);
+  EXPECT_EQ(json["repair"]["flipped_faces"], 1);
+  EXPECT_EQ(json["repair"]["degenerate_faces"], 1);
+  EXPECT_EQ(json["repaired"]["triangles"], 2);
+  EXPECT_EQ(json["sound"], false);
+}
+
+TEST_F(Verbs, RenderTakesAPictureOfTheSizeAskedFor) {
+  const CommandResult result = run({"render", "shape:sphere", "-o", "a.png", "--width", "40",
+                                    "--height", "30", "--samples", "1"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  const std::string png = read_text(file("a.png"));
+  ASSERT_GT(png.size(), 24u);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png[19], 40);
+  EXPECT_EQ(png[23], 30);
+}
+
+}  // namespace
+}  // namespace craze
