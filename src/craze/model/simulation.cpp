@@ -32,6 +32,8 @@ class Stopwatch {
 constexpr std::int64_t largest_batch = 64;
 // A node that could not open on a plane is tried again when the plane has turned this much.
 constexpr double arrest_cosine = 0.98;
+// Keeps v⁺ over the threshold finite where the surface has no toughness at all.
+constexpr double least_scale = 1e-100;
 
 void check_size(std::size_t size, std::size_t expected, const char* name) {
   if (size != 0 && size != expected) {
@@ -241,7 +243,7 @@ void Simulation::update_failure_criteria(const Context& context) {
 
 void Simulation::evaluate(std::int32_t v) {
   failing_[v] = {};
-  const double scale = scale_at(fields_.toughness_scale, v);
+  const double scale = std::max(least_scale, scale_at(fields_.toughness_scale, v));
   const double highest = evolution_->highest_load(), load = evolution_->load();
   const double weight = scale_at(fields_.separation_scale, v);
   const SeparationTensor separation = separation_tensor(mesh_, field_, v);
