@@ -20,8 +20,12 @@ namespace craze {
 class KnownOrder {
  public:
 #ifdef CRAZE_THREAD_SANITIZER
-  void passed() { __tsan_release(this); }
-  void seen() { __tsan_acquire(this); }
+  void passed() {
+    __tsan_release(this);
+  }
+  void seen() {
+    __tsan_acquire(this);
+  }
 #else
   void passed() {}
   void seen() {}
