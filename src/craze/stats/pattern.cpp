@@ -26,6 +26,7 @@ std::vector<BorderSegment> sides(const Window& window, const Vec3& point, const 
                            {window.low.x(), window.high.y()}};
   const Vec3 height = normal * normal.dot(point);
   std::vector<BorderSegment> segments;
+  segments.reserve(4);
   for (int k = 0; k < 4; ++k) {
     segments.push_back(
         {window.frame * corners[k] + height, window.frame * corners[(k + 1) % 4] + height});
