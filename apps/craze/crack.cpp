@@ -19,10 +19,18 @@ struct Options {
   bool quiet = false;
 };
 
-/// Defaults, then the preset or recipe file, then --set in order, then --seed.
+// What a bare `craze crack INPUT -o OUT` makes.
+constexpr const char* standard_preset = "glaze";
+
+/// The preset or recipe file, else the defaults where keys are set by hand, else the standard
+/// preset; then --set in order, then --seed.
 Recipe build_recipe(const Options& options) {
   Recipe recipe;
-  if (!options.preset.empty()) recipe = read_preset(options.preset);
+  if (!options.preset.empty()) {
+    recipe = read_preset(options.preset);
+  } else if (options.recipe.empty() && options.settings.empty()) {
+    recipe = read_preset(standard_preset);
+  }
   if (!options.recipe.empty()) recipe = read_recipe_file(options.recipe);
   for (const std::string& setting : options.settings) apply_set(recipe, setting);
   if (!options.seed.empty()) apply_set(recipe, "seed=" + options.seed);
@@ -86,7 +94,8 @@ void add_crack(CLI::App& app, Action& action) {
                    "What the picture shows: clay, mud, glaze, plaster, glass or paint")
       ->type_name("NAME")
       ->capture_default_str();
-  CLI::Option* preset = verb->add_option("--preset", options->preset, "See craze presets");
+  CLI::Option* preset = verb->add_option(
+      "--preset", options->preset, "See craze presets; glaze where no recipe and no key is given");
   preset->type_name("NAME");
   verb->add_option("--recipe", options->recipe, "A recipe of your own, TOML")
       ->type_name("FILE")

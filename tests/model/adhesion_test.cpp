@@ -56,13 +56,16 @@ TEST(Adhesion, TheProfileAlongTheStripIsThatOfShearLag) {
 }
 
 TEST(Adhesion, ScreeningLengthAndSpacingSetKappa) {
-  LayerParameters layer;
-  EXPECT_EQ(adhesion(layer), 0);
-  layer.screening_length = 0.25;
-  EXPECT_DOUBLE_EQ(adhesion(layer), 16);
-  layer.spacing = 6;  // what the user asks for goes first
-  EXPECT_DOUBLE_EQ(adhesion(layer), 1 / std::pow(screening_length(layer), 2));
-  EXPECT_GT(screening_length(layer), 0.25);
+  SimulationParameters p;
+  EXPECT_EQ(adhesion(resolve_lengths(p, 1).layer), 0);
+  p.layer.relative_spacing = 0.1;
+  p.evolution.max_load = 2;
+  const double length = resolve_lengths(p, 30).layer.screening_length;
+  EXPECT_DOUBLE_EQ(length, 3 / spacing_per_screening_length(2));
+  p.layer.spacing = 6;  // what is given in length units goes first
+  EXPECT_DOUBLE_EQ(resolve_lengths(p, 30).layer.screening_length, 2 * length);
+  p.layer.screening_length = 0.25;
+  EXPECT_DOUBLE_EQ(adhesion(resolve_lengths(p, 30).layer), 16);
 }
 
 // A plate with a slit along the middle of y = 0, |x| < reach.

@@ -14,7 +14,7 @@ namespace {
 // on purpose.
 TEST(ParameterTable, HoldsEveryKeyOfTheContractWithItsDefault) {
   const std::vector<std::pair<std::string, std::string>> contract{
-      {"engine", "\"euler\""},
+      {"engine", "\"quasistatic\""},
       {"seed", "1"},
       {"mesh.edge", "\"auto\""},
       {"stress.uniform", "1.0"},

@@ -9,6 +9,7 @@
 
 #include "craze/base/error.h"
 #include "craze/stats/null_models.h"
+#include "craze/stats/pattern.h"
 #include "craze/stats/statistics.h"
 
 namespace craze {
@@ -163,6 +164,28 @@ TEST(GraphInput, FilesHoldLinesOrACrackedMesh) {
   const std::filesystem::path whole = folder / "graph_input_whole.obj";
   std::ofstream(whole) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
   EXPECT_THROW(graph_from_file(whole), Error) << "a mesh without cracks";
+}
+
+TEST(GraphInput, ASmallCellBetweenOpenCracksDoesNotSetTheScale) {
+  // Combs of spacing 1 that close nothing, and one tiny triangle.
+  LineSet lines;
+  const auto add = [&](const Vec3& a, const Vec3& b) {
+    const auto n = static_cast<std::int32_t>(lines.points.size());
+    lines.points.insert(lines.points.end(), {a, b});
+    lines.edges.push_back({n, n + 1});
+  };
+  for (int i = 0; i < 10; ++i) {
+    add({i + 0.0, 0, 0}, {i + 1.0, 0, 0});
+    add({i + 0.0, 0, 0}, {i + 0.0, 8, 0});
+  }
+  add({4.3, 4, 0}, {4.4, 4, 0});
+  add({4.4, 4, 0}, {4.3, 4.1, 0});
+  add({4.3, 4.1, 0}, {4.3, 4, 0});
+  const CrackGraphInput graph = graph_from_lines(lines);
+  const StatisticsOptions o;
+  const Pattern pattern(graph, o);
+  EXPECT_GT(pattern.unit, 1);
+  EXPECT_LT(pattern.unit, 2.5);
 }
 
 TEST(GraphInput, AFewOrNoLinesAreNoError) {

@@ -6,7 +6,7 @@ namespace craze {
 /// A 3-vector and one more number, 32-byte aligned. `v` takes arithmetic operators lane by lane;
 /// the compiler lowers it to whatever the machine has, always with the same rounding.
 struct alignas(32) Vec4d {
-  typedef double Lanes __attribute__((vector_size(32)));
+  using Lanes = double __attribute__((vector_size(32)));
   Lanes v = {0, 0, 0, 0};
 
   double operator[](int i) const { return v[i]; }

@@ -9,9 +9,15 @@ namespace craze {
 /// The change of T and the forces that resist it at corners 1 and 2; corner 0 gets minus their sum.
 /// Lanes 3 hold nothing of use.
 struct ElementResponse {
-  Vec4d::Lanes t;   ///< ΔT₁₁, ΔT₂₂, ΔT₁₂, 0
-  Vec4d::Lanes f1;  ///< ΔT₁₁ e₁ + ΔT₁₂ e₂ = −Δf₁ of Eq. 1
+  double t11, t22, t12;  ///< ΔT; apart, since packing them costs more than three additions
+  Vec4d::Lanes f1;       ///< ΔT₁₁ e₁ + ΔT₁₂ e₂ = −Δf₁ of Eq. 1
   Vec4d::Lanes f2;
+
+  void add_stress_to(Element& element) const {
+    element.t[0] += t11;
+    element.t[1] += t22;
+    element.t[2] += t12;
+  }
 };
 
 /// [IO06 Eqs. 6, 7, then Eq. 1] d1, d2: displacements of corners 1 and 2 less that of corner 0.
@@ -28,7 +34,7 @@ inline ElementResponse element_response(const Element& element, Vec4d::Lanes d1,
   const double t11 = a11 * n11 + a12 * n12;
   const double t22 = a21 * n12 + a22 * n22;
   const double t12 = a11 * n12 + a12 * n22;
-  return {Vec4d::Lanes{t11, t22, t12, 0}, t11 * e1 + t12 * e2, t12 * e1 + t22 * e2};
+  return {t11, t22, t12, t11 * e1 + t12 * e2, t12 * e1 + t22 * e2};
 }
 
 }  // namespace craze

@@ -17,10 +17,20 @@ CRAZE_WIDE void relax_elements(Element* elements, const Triangle* triangles, con
     const Vec4d::Lanes p0 = moves[corner[0]].v;
     const ElementResponse response =
         element_response(elements[f], moves[corner[1]].v - p0, moves[corner[2]].v - p0);
-    elements[f].t.v += response.t;
+    response.add_stress_to(elements[f]);
     force_change[corner[0]].v += response.f1 + response.f2;
     force_change[corner[1]].v -= response.f1;
     force_change[corner[2]].v -= response.f2;
+  }
+}
+
+/// Moves the changes of nodes [begin, end) into their forces.
+CRAZE_WIDE void take_changes(Vec4d* forces, Vec4d* force_change, std::int32_t begin,
+                             std::int32_t end) {
+  constexpr Vec4d::Lanes vector_part = {1, 1, 1, 0};
+  for (std::int32_t v = begin; v < end; ++v) {
+    forces[v].v += vector_part * force_change[v].v;
+    force_change[v].v = Vec4d::Lanes{0, 0, 0, 0};
   }
 }
 
@@ -87,7 +97,12 @@ void EulerRelaxation::move_nodes(StressField& field, const ElementBlocks& blocks
       continue;
     }
     active_.push_back(block);
-    for (const std::int32_t n : touched) touched_[n] = 1;
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    for (std::size_t i = lane_begin(lane); i < lane_begin(lane + 1); ++i) {
+      for (const std::int32_t n : blocks.nodes_of(active_[i]))
+        touched_[n] = static_cast<unsigned char>(touched_[n] | 1U << lane);
+    }
   }
 }
 
@@ -95,15 +110,14 @@ void EulerRelaxation::update_stress(StressField& field, const TriangleMesh& mesh
   Element* const elements = field.elements().data();
   const Triangle* const triangles = mesh.triangles().data();
   const std::int32_t faces = mesh.face_count();
-  const std::size_t active = active_.size();
   parallel_for(threads, lanes, 1, [&](std::size_t lane, std::size_t) {
-    for (std::size_t i = active * lane / lanes; i < active * (lane + 1) / lanes; ++i) {
+    for (std::size_t i = lane_begin(lane); i < lane_begin(lane + 1); ++i) {
       const std::int32_t begin = active_[i] * ElementBlocks::elements_per_block;
       relax_elements(elements, triangles, moves_.data(), force_change_[lane].data(), begin,
                      std::min(faces, begin + ElementBlocks::elements_per_block));
     }
   });
-  element_updates_ += static_cast<std::int64_t>(active) * ElementBlocks::elements_per_block;
+  element_updates_ += static_cast<std::int64_t>(active_.size()) * ElementBlocks::elements_per_block;
 }
 
 void EulerRelaxation::collect_forces(StressField& field, int threads) {
@@ -111,19 +125,15 @@ void EulerRelaxation::collect_forces(StressField& field, int threads) {
   Vec4d* const forces = field.forces().data();
   parallel_for(threads, touched_.size(), blocks_per_chunk, [&](std::size_t b, std::size_t e) {
     for (std::size_t block = b; block < e; ++block) {
-      if (!touched_[block]) continue;
+      const unsigned touched = touched_[block];
+      if (touched == 0) continue;
       touched_[block] = 0;
       changed_[block] = 1;
       const auto begin = static_cast<std::int32_t>(block) * ElementBlocks::nodes_per_block;
       const auto end = std::min(nodes, begin + ElementBlocks::nodes_per_block);
-      for (std::int32_t v = begin; v < end; ++v) {
-        Vec4d::Lanes sum = {0, 0, 0, 0};
-        for (auto& lane : force_change_) {
-          sum += lane[v].v;
-          lane[v].v = Vec4d::Lanes{0, 0, 0, 0};
-        }
-        sum[3] = 0;
-        forces[v].v += sum;
+      for (int lane = 0; lane < lanes; ++lane) {
+        if ((touched >> lane & 1) == 0) continue;
+        take_changes(forces, force_change_[lane].data(), begin, end);
       }
     }
   });

@@ -47,12 +47,13 @@ class EulerRelaxation {
   // Force changes are summed in a fixed number of lanes, each by one thread in order, and the lanes
   // in order: the same sums on any number of threads.
   static constexpr int lanes = 4;
+  std::size_t lane_begin(std::size_t lane) const { return active_.size() * lane / lanes; }
 
   EulerRelaxationOptions options_;
   std::vector<Vec4d> moves_;                // #V, Δp of this step
   std::vector<Vec4d> force_change_[lanes];  // #V
   std::vector<double> block_force_;         // per node block: largest |F| that moves a node
-  std::vector<char> touched_;               // per node block: has force changes to collect
+  std::vector<unsigned char> touched_;      // per node block, a bit per lane: changes to collect
   std::vector<char> changed_;               // per node block
   std::vector<std::int32_t> active_;        // element blocks of this step
   std::int64_t element_updates_ = 0;

@@ -3,13 +3,18 @@
 #include "craze/model/basis_matrix.h"
 #include "craze/model/euler_evolution.h"
 #include "craze/model/quasistatic_evolution.h"
+#include "craze/model/screening.h"
 
 namespace craze {
+
+Engine running_engine(const SimulationParameters& parameters) {
+  return adhesion(parameters.layer) > 0 ? parameters.engine : Engine::euler;
+}
 
 std::unique_ptr<Evolution> make_evolution(const TriangleMesh& mesh,
                                           const SimulationParameters& parameters,
                                           const EvolutionInputs& inputs) {
-  if (parameters.engine == Engine::euler) {
+  if (running_engine(parameters) == Engine::euler) {
     return std::make_unique<EulerEvolution>(mesh, parameters, inputs);
   }
   return std::make_unique<QuasistaticEvolution>(mesh, parameters, inputs);

@@ -53,7 +53,12 @@ struct EvolutionInputs {
   std::vector<char> fixed;
 };
 
-/// The engine that the parameters name.
+/// The engine that runs: the one named, but "euler" where "quasistatic" has no adhesion. Without it
+/// a free sheet's only equilibrium is zero stress; cracks come from the flow towards it, and that
+/// is what the paper's scheme follows.
+Engine running_engine(const SimulationParameters& parameters);
+
+/// The engine of running_engine().
 std::unique_ptr<Evolution> make_evolution(const TriangleMesh& mesh,
                                           const SimulationParameters& parameters,
                                           const EvolutionInputs& inputs);

@@ -31,13 +31,60 @@ double node_width(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal) 
 FailureCriterion::FailureCriterion(const MaterialParameters& material, double process_zone)
     : material_(material), process_zone_(process_zone) {}
 
-double FailureCriterion::threshold(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal,
-                                   double scale) const {
+double mean_tension_ahead(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
+                          const Vec3& normal, double length) {
+  const Vec3 start = mesh.position(v);
+  const auto height = [&](std::int32_t n) { return normal.dot(mesh.position(n) - start); };
+  double tension = 0, total = 0;
+  mesh.for_each_outgoing(v, [&](std::int32_t spoke) {
+    std::int32_t edge = TriangleMesh::next(spoke);
+    Vec3 from = start;
+    double walked = 0;
+    while (walked < length) {
+      // The plane leaves the face of `edge` through it, if it meets it.
+      const double a = height(mesh.from(edge)), b = height(mesh.to(edge));
+      if ((a >= 0) == (b >= 0)) return;
+      const double t = a / (a - b);
+      const Vec3 to = (1 - t) * mesh.position(mesh.from(edge)) + t * mesh.position(mesh.to(edge));
+      const double step = std::min((to - from).norm(), length - walked);
+      tension += step * normal.dot(field.stress(mesh, edge / 3) * normal);
+      total += step;
+      walked += (to - from).norm();
+      from = to;
+      const std::int32_t beyond = mesh.opposite(edge);
+      if (beyond < 0) return;
+      const double apex = height(mesh.from(TriangleMesh::prev(beyond)));
+      // beyond runs from the far end of `edge`, at height b, to the near one, at height a.
+      edge = (apex >= 0) == (b >= 0) ? TriangleMesh::next(beyond) : TriangleMesh::prev(beyond);
+    }
+  });
+  return total > 0 ? tension / total : 0;
+}
+
+double FailureCriterion::threshold(const TriangleMesh& mesh, const StressField& field,
+                                   std::int32_t v, const Eigenpair& failure, double scale) const {
   if (material_.criterion == Criterion::force) return material_.toughness * scale;
-  const double width = node_width(mesh, v, normal);
-  if (is_crack_tip(mesh, v)) return material_.toughness * scale * std::sqrt(width);
+  const double width = node_width(mesh, v, failure.vector);
+  const double strength = material_.strength * scale * width;
+  if (is_crack_tip(mesh, v)) {
+    const double toughness = material_.toughness * scale * std::sqrt(width);
+    const auto origin = origin_.find(v);
+    const bool young =
+        origin != origin_.end() && (mesh.position(v) - origin->second).norm() < process_zone_;
+    return young ? std::min(strength, toughness) : toughness;
+  }
   if (in_process_zone(mesh, v)) return std::numeric_limits<double>::infinity();
-  return material_.strength * scale * width;
+  if (!mesh.is_open_vertex(v) || !(process_zone_ > 0)) return strength;
+  const double ahead = mean_tension_ahead(mesh, field, v, failure.vector, process_zone_);
+  if (!(ahead > 0)) return std::numeric_limits<double>::infinity();
+  return std::max(strength, failure.value * material_.strength * scale / ahead);
+}
+
+void FailureCriterion::tip_advanced(const TriangleMesh& mesh, std::int32_t from, std::int32_t to) {
+  if (material_.criterion == Criterion::force) return;
+  const auto origin = origin_.find(from);
+  const Vec3 start = origin != origin_.end() ? origin->second : mesh.position(from);
+  origin_[to] = start;
 }
 
 double FailureCriterion::least_threshold(double scale) const {

@@ -9,6 +9,8 @@
 #include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/parameters.h"
+#include "craze/model/separation_tensor.h"
+#include "craze/model/stress_field.h"
 
 namespace craze {
 
@@ -21,19 +23,29 @@ bool is_crack_tip(const TriangleMesh& mesh, std::int32_t v);
 /// length. v⁺ over it is the tension across the crack plane, whatever the mesh.
 double node_width(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal);
 
+/// Mean of n̂ᵀ σ n̂ along the way a crack would take: from v straight through the plane of normal n̂,
+/// to every side on which it meets the star, over `length` or up to a crack or border;
+/// force/length.
+double mean_tension_ahead(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
+                          const Vec3& normal, double length);
+
 /// Turns (v⁺, n̂⁺) of a node into a force threshold. Criterion "force": τ [IO06 §3.4]. Criterion
 /// "strength": an intact node fails at v⁺ = strength · w, a crack tip at v⁺ = toughness · √w, with
-/// w = node_width(n̂⁺), since the stress near a tip grows as 1/√distance; and no intact node fails
-/// within the process zone of a tip, where the stress is the tip's.
+/// w = node_width(n̂⁺), since the stress near a tip grows as 1/√distance. No intact node fails
+/// within the process zone of a tip, where the stress is the tip's; and on the side of a crack or
+/// border the tension must reach the strength on average over the process zone, not just at a
+/// corner of the crack, where it is high over no length to speak of.
 class FailureCriterion {
  public:
   /// process_zone: length.
   FailureCriterion(const MaterialParameters& material, double process_zone);
 
-  /// The v⁺ above which v fails by a crack plane of normal n̂; ∞ where it cannot. `scale` multiplies
-  /// toughness and strength.
-  double threshold(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal,
-                   double scale) const;
+  /// The v⁺ above which v fails by the crack plane of `failure`, its own v⁺ and n̂⁺; ∞ where it
+  /// cannot. `scale` multiplies toughness and strength.
+  double threshold(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
+                   const Eigenpair& failure, double scale) const;
+  /// A crack at `from` made the new tip `to`.
+  void tip_advanced(const TriangleMesh& mesh, std::int32_t from, std::int32_t to);
   /// A lower bound of threshold over all planes, for skipping: 0 where none is cheap to have.
   double least_threshold(double scale) const;
 
@@ -46,7 +58,8 @@ class FailureCriterion {
 
   MaterialParameters material_;
   double process_zone_;
-  std::vector<char> listed_;                                           // #V, in tips_
+  std::unordered_map<std::int32_t, Vec3> origin_;  // of a tip: where its crack started
+  std::vector<char> listed_;                       // #V, in tips_
   std::unordered_map<std::uint64_t, std::vector<std::int32_t>> tips_;  // by cell of the zone's size
 };
 

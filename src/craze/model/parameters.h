@@ -18,14 +18,15 @@ enum class BoundaryKind { free, fixed };
 
 /// [stress]: the initial field σ₀, the sum of what is given.
 struct StressParameters {
-  double uniform = 1;              ///< isotropic tension
-  std::array<double, 6> tensor{};  ///< sxx syy szz sxy syz szx, world axes
-  double noise = 0.05;             ///< relative standard deviation
-  double noise_length = 0;         ///< correlation length; 0: per triangle
-  double curvature = 0;            ///< times the curvature tensor
-  double curvature_radius = 0;     ///< 0: twice the mean edge
-  std::string attribute;           ///< of the input, added
-  std::string texture;             ///< grey image in UV space, multiplied in
+  double uniform = 1;                ///< isotropic tension
+  std::array<double, 6> tensor{};    ///< sxx syy szz sxy syz szx, world axes
+  double noise = 0.05;               ///< relative standard deviation
+  double noise_length = 0;           ///< correlation length; 0: per triangle
+  double relative_noise_length = 0;  ///< noise_length as a multiple of ℓ, where that is 0
+  double curvature = 0;              ///< times the curvature tensor
+  double curvature_radius = 0;       ///< 0: twice the mean edge
+  std::string attribute;             ///< of the input, added
+  std::string texture;               ///< grey image in UV space, multiplied in
 };
 
 /// [[impact]]: a stress pattern around a point of the surface.
@@ -44,9 +45,10 @@ struct MaterialParameters {
   double toughness = 1;  ///< τ
   double strength = 1;
   Criterion criterion = Criterion::force;
-  double alpha = 0.5;       ///< α of Eq. 8
-  double process_zone = 0;  ///< length around a tip in which no other node fails; 0: ℓ / 2
-  double scatter = 0;       ///< relative scatter of the strength
+  double alpha = 0.5;             ///< α of Eq. 8
+  double relative_toughness = 0;  ///< toughness over strength · √ℓ; 0: toughness as given
+  double process_zone = 0;        ///< length around a tip in which no other node fails; 0: ℓ / 2
+  double scatter = 0;             ///< relative scatter of the strength
   CurvatureScale curvature_scale = CurvatureScale::none;
   double bias = 0;        ///< preference for principal directions (Fig. 2)
   std::string attribute;  ///< of the input, multiplies toughness and strength; 0: no crack, ever
@@ -56,6 +58,7 @@ struct MaterialParameters {
 /// [layer]
 struct LayerParameters {
   double spacing = 0;           ///< asked-for spacing of the cracks
+  double relative_spacing = 0;  ///< the spacing as part of the object's diagonal
   double screening_length = 0;  ///< ℓ; 0: no adhesion
   std::string attribute;        ///< of the input, multiplies the spacing; 0: no crack, ever
   std::string texture;          ///< grey image in UV space, multiplied in too
@@ -86,7 +89,7 @@ struct CrackParameters {
 
 /// Everything the simulation needs to know besides the mesh.
 struct SimulationParameters {
-  Engine engine = Engine::euler;
+  Engine engine = Engine::quasistatic;
   std::uint64_t seed = 1;
   StressParameters stress;
   std::vector<Impact> impacts;

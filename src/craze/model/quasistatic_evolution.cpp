@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "craze/base/error.h"
 #include "craze/model/screening.h"
 
 namespace craze {
@@ -39,13 +38,9 @@ QuasistaticEvolution::QuasistaticEvolution(const TriangleMesh& mesh,
                                            const EvolutionInputs& inputs)
     : parameters_(parameters.evolution),
       failure_force_(parameters.material.toughness),
-      independence_(independence * screening_length(parameters.layer)),
+      independence_(independence * parameters.layer.screening_length),
       equilibrium_({adhesion(parameters.layer), relative_residual * failure_force_,
-                    patch_radius * screening_length(parameters.layer), longest_edge(mesh)}) {
-  if (!(adhesion(parameters.layer) > 0)) {
-    throw Error(ErrorKind::request, "engine quasistatic needs adhesion", "layer",
-                "set layer.spacing or layer.screening_length, or engine = \"euler\"");
-  }
+                    patch_radius * parameters.layer.screening_length, longest_edge(mesh)}) {
   equilibrium_.fixed = inputs.fixed;
 }
 

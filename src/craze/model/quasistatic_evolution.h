@@ -11,7 +11,7 @@ namespace craze {
 /// After a crack, equilibrium is restored around it (equilibrium.h).
 class QuasistaticEvolution : public Evolution {
  public:
-  /// Throws Error(request) without adhesion: nothing screens a crack then.
+  /// The layer must have adhesion.
   QuasistaticEvolution(const TriangleMesh& mesh, const SimulationParameters& parameters,
                        const EvolutionInputs& inputs);
 

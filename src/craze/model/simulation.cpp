@@ -32,6 +32,8 @@ class Stopwatch {
 constexpr std::int64_t largest_batch = 64;
 // A node that could not open on a plane is tried again when the plane has turned this much.
 constexpr double arrest_cosine = 0.98;
+// Keeps v⁺ over the threshold finite where the surface has no toughness at all.
+constexpr double least_scale = 1e-100;
 
 void check_size(std::size_t size, std::size_t expected, const char* name) {
   if (size != 0 && size != expected) {
@@ -58,11 +60,11 @@ const char* to_string(StopReason reason) {
 
 Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
                        const SimulationParameters& parameters, const Context& context)
-    : parameters_(parameters),
+    : parameters_(resolve_lengths(parameters, bounding_diagonal(mesh.positions()))),
       fields_(std::move(fields)),
       mesh_(std::move(mesh)),
-      field_(mesh_, engine_singular_value_cap(mesh_, parameters.engine)),
-      criterion_(parameters.material, process_zone(parameters.material, parameters.layer)) {
+      field_(mesh_, engine_singular_value_cap(mesh_, running_engine(parameters_))),
+      criterion_(parameters_.material, process_zone(parameters_.material, parameters_.layer)) {
   const auto faces = static_cast<std::size_t>(mesh_.face_count());
   check_size(fields_.stress.size(), faces, "stress");
   check_size(fields_.growth.size(), faces, "growth");
@@ -91,7 +93,7 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
 }
 
 StopReason Simulation::run(const Context& context) {
-  if (parameters_.engine == Engine::quasistatic && events_ == 0) {
+  if (running_engine(parameters_) == Engine::quasistatic && events_ == 0) {
     evolve(context);
     update_failure_criteria(context);
   }
@@ -189,6 +191,7 @@ bool Simulation::crack_at(std::int32_t v) {
     Sym3 residual;
     add_outer(residual, parameters_.material.alpha * excess, failure.normal);
     residuals_[tip] = residual;
+    criterion_.tip_advanced(mesh_, v, tip);
   }
   for (const std::int32_t n : outcome_.changed_nodes) {
     changed_.push_back(n);
@@ -240,7 +243,7 @@ void Simulation::update_failure_criteria(const Context& context) {
 
 void Simulation::evaluate(std::int32_t v) {
   failing_[v] = {};
-  const double scale = scale_at(fields_.toughness_scale, v);
+  const double scale = std::max(least_scale, scale_at(fields_.toughness_scale, v));
   const double highest = evolution_->highest_load(), load = evolution_->load();
   const double weight = scale_at(fields_.separation_scale, v);
   const SeparationTensor separation = separation_tensor(mesh_, field_, v);
@@ -277,7 +280,7 @@ Simulation::Failure Simulation::failure_of(std::int32_t v, const Sym3& separatio
                                            double scale) const {
   const Eigenpair pair = largest_eigenpair(separation);
   if (!(pair.value > 0)) return {};
-  const double threshold = criterion_.threshold(mesh_, v, pair.vector, scale);
+  const double threshold = criterion_.threshold(mesh_, field_, v, pair, scale);
   return {threshold > 0 ? pair.value / threshold : 0, threshold, pair.vector};
 }
 

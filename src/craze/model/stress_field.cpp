@@ -83,7 +83,7 @@ void StressField::update_forces(const TriangleMesh& mesh) {
 void StressField::displace(std::int32_t f, const Triangle& corners, const Vec4d& u0,
                            const Vec4d& u1, const Vec4d& u2) {
   const ElementResponse response = element_response(elements_[f], u1.v - u0.v, u2.v - u0.v);
-  elements_[f].t.v += response.t;
+  response.add_stress_to(elements_[f]);
   forces_[corners[0]].v += response.f1 + response.f2;
   forces_[corners[1]].v -= response.f1;
   forces_[corners[2]].v -= response.f2;

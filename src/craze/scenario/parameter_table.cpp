@@ -54,6 +54,8 @@ std::vector<Parameter> make_table() {
       .add("noise_length", &StressParameters::noise_length, not_negative,
            {.help = "over which length the noise is alike; 0: each triangle by itself",
             .unit = "length"})
+      .add("relative_noise_length", &StressParameters::relative_noise_length, not_negative,
+           {.help = "noise_length as a multiple of the screening length, where noise_length is 0"})
       .add("curvature", &StressParameters::curvature, any,
            {.help = "times the curvature tensor is added",
             .unit = "stress·length",
@@ -106,6 +108,10 @@ std::vector<Parameter> make_table() {
            {.help = "share of the excess carried to the new tips: low is jagged, high is straight",
             .symbol = "α",
             .source = "[IO06 Eq. 8]"})
+      .add("relative_toughness", &MaterialParameters::relative_toughness, not_negative,
+           {.help =
+                "toughness as a multiple of strength · √ℓ (criterion \"strength\"); 0: toughness "
+                "as given"})
       .add("process_zone", &MaterialParameters::process_zone, not_negative,
            {.help = "no intact place fails this close to a crack tip (criterion \"strength\"); 0: "
                     "half the screening length",
@@ -129,6 +135,9 @@ std::vector<Parameter> make_table() {
       t, "layer.", [](auto& r, std::size_t) -> auto& { return r.simulation.layer; })
       .add("spacing", &LayerParameters::spacing, not_negative,
            {.help = "distance between cracks to aim for; sets the adhesion", .unit = "length"})
+      .add("relative_spacing", &LayerParameters::relative_spacing, not_negative,
+           {.help = "spacing as part of the object's diagonal, where neither spacing nor "
+                    "screening_length is given"})
       .add("screening_length", &LayerParameters::screening_length, not_negative,
            {.help = "over which a crack unloads its surroundings; 0: no adhesion, as in the paper",
             .symbol = "ℓ",

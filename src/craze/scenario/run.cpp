@@ -6,6 +6,7 @@
 #include "craze/base/error.h"
 #include "craze/io/atomic_file.h"
 #include "craze/mesh/repair.h"
+#include "craze/model/screening.h"
 #include "craze/model/simulation.h"
 #include "craze/scenario/load_surface.h"
 #include "craze/scenario/outputs.h"
@@ -64,6 +65,8 @@ RunResult run(const RunRequest& request, const Context& context) {
   report.time.load = phase.lap();
 
   context.report({"prepare", -1, 0, static_cast<std::int64_t>(repaired.triangles.size())});
+  report.recipe.simulation =
+      resolve_lengths(report.recipe.simulation, bounding_diagonal(repaired.positions));
   const SurfaceMesh surface = simulation_surface(std::move(repaired), report.recipe, context);
   report.simulation = count_mesh(surface);
   const SimulationParameters& parameters = report.recipe.simulation;

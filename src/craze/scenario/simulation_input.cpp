@@ -12,7 +12,6 @@
 #include "craze/model/direction_bias.h"
 #include "craze/model/input_fields.h"
 #include "craze/model/painted_multiplier.h"
-#include "craze/model/screening.h"
 #include "craze/model/stress_sources.h"
 
 namespace craze {
@@ -126,7 +125,7 @@ double mean_edge(const SurfaceMesh& mesh) {
 double target_edge(const SurfaceMesh& surface, const Recipe& recipe) {
   const EdgeLength& edge = recipe.mesh.edge;
   if (edge.kind != EdgeLength::Kind::automatic) return edge.length;
-  const double target = edge_per_screening_length * screening_length(recipe.simulation.layer);
+  const double target = edge_per_screening_length * recipe.simulation.layer.screening_length;
   return target > 0 && mean_edge(surface) > target ? target : 0;
 }
 

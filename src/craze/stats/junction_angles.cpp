@@ -37,7 +37,7 @@ struct Moments {
 
 double branch_direction(const std::vector<Vec3>& points, const Vec3& normal, const Mat32& frame,
                         const BranchFit& fit) {
-  const Vec3 centre = points[0];
+  const Vec3& centre = points[0];
   const auto logarithm = [&](const Vec3& p) -> Vec2 {
     const Vec3 chord = p - centre;
     const Vec3 flat = chord - normal * normal.dot(chord);

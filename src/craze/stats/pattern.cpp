@@ -8,12 +8,15 @@ namespace craze {
 
 namespace {
 
-double unit_without_cells(const Pattern& pattern) {
+double surface_area(const Pattern& pattern) {
+  if (pattern.input.surface_area > 0) return pattern.input.surface_area;
+  return pattern.window ? pattern.window->area() : 0;
+}
+
+double unit_from_length(const Pattern& pattern) {
   double length = 0;
   for (const auto& e : pattern.raw.edges()) length += e.border ? 0 : e.length;
-  double area = pattern.input.surface_area;
-  if (area == 0 && pattern.window) area = pattern.window->area();
-  return length > 0 ? 2 * area / length : 0;
+  return length > 0 ? 2 * surface_area(pattern) / length : 0;
 }
 
 std::vector<BorderSegment> sides(const Window& window, const Vec3& point, const Vec3& normal) {
@@ -23,6 +26,7 @@ std::vector<BorderSegment> sides(const Window& window, const Vec3& point, const 
                            {window.low.x(), window.high.y()}};
   const Vec3 height = normal * normal.dot(point);
   std::vector<BorderSegment> segments;
+  segments.reserve(4);
   for (int k = 0; k < 4; ++k) {
     segments.push_back(
         {window.frame * corners[k] + height, window.frame * corners[(k + 1) % 4] + height});
@@ -39,8 +43,12 @@ Pattern::Pattern(const CrackGraphInput& graph, const StatisticsOptions& o)
   }
   if (border.empty() && window) border = sides(*window, input.points[0], input.normals[0]);
   const auto sectors = all_sector_angles(raw, {0, 0});
-  unit = std::sqrt(mean_cell_area(find_cells(raw, sectors, 0, input.piece_areas, window)));
-  if (unit == 0) unit = unit_without_cells(*this);
+  const std::vector<Cell> cells = find_cells(raw, sectors, 0, input.piece_areas, window);
+  double covered = 0;
+  for (const Cell& c : cells) covered += c.border ? 0 : c.area;
+  unit = std::sqrt(mean_cell_area(cells));
+  // A few small cells between open cracks are no measure of the pattern.
+  if (covered < 0.1 * surface_area(*this) || unit == 0) unit = unit_from_length(*this);
 }
 
 CrackGraph Pattern::simplified(double length) const {

@@ -17,8 +17,8 @@ struct Pattern {
   const CrackGraphInput& input;
   const StatisticsOptions& options;
   std::optional<Window> window;
-  CrackGraph raw;                     ///< as given
-  double unit = 0;                    ///< √Ā of it; without cells 2 area/length, as for squares
+  CrackGraph raw;   ///< as given
+  double unit = 0;  ///< √Ā; where cells cover < 10 %, 2 area/length (as for squares)
   std::vector<BorderSegment> border;  ///< the surface's, or the sides of the window
 
   Pattern(const CrackGraphInput& graph, const StatisticsOptions& o);

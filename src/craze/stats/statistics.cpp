@@ -190,7 +190,7 @@ void measure_lines(Statistics& s, const CrackGraph& graph, const CrackGraph& mos
     half.push_back(c.perimeter / 2);
     area.push_back(c.area);
   }
-  const double unit = std::isnan(s.root_area.value) ? pattern.unit : s.root_area.value;
+  const double unit = pattern.unit;
   s.length_per_area = ratio_of(half, area, weight);
   if (s.surface_area > 0) s.length_per_area.value = s.crack_length / s.surface_area;
   s.length_per_area.value *= unit;

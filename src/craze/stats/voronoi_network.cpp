@@ -46,8 +46,9 @@ class Sites {
       for (double product = random.uniform(); product > std::exp(-1.0);
            product *= random.uniform()) {
         bucket.push_back(static_cast<std::int32_t>(points_.size()));
-        const double x = index % width_ + random.uniform();
-        points_.emplace_back(x - margin, index / width_ + random.uniform() - margin);
+        const std::int32_t column = index % width_, row = index / width_;
+        const double x = column + random.uniform();
+        points_.emplace_back(x - margin, row + random.uniform() - margin);
       }
     }
   }
