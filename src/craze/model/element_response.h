@@ -22,7 +22,8 @@ struct ElementResponse {
 
 /// [IO06 Eqs. 6, 7, then Eq. 1] d1, d2: displacements of corners 1 and 2 less that of corner 0.
 /// With the edges as the material basis ∂ε_ab/∂p Δp = ½ (e_a·d_b + e_b·d_a) = q_ab, and ΔT = N q N.
-inline ElementResponse element_response(const Element& element, Vec4d::Lanes d1, Vec4d::Lanes d2) {
+inline ElementResponse element_response(const Element& element, const Vec4d::Lanes& d1,
+                                        const Vec4d::Lanes& d2) {
   const Vec4d::Lanes e1 = element.e1.v, e2 = element.e2.v;
   const Vec4d::Lanes m11 = e1 * d1, m22 = e2 * d2, m12 = e1 * d2 + e2 * d1;
   const double q11 = m11[0] + m11[1] + m11[2];
