@@ -31,7 +31,8 @@ double dot(const Vec4d& a, const Vec4d& b) {
 
 Vec3 Equilibrium::residual(const StressField& field, std::int32_t v) const {
   if (is_fixed(v)) return Vec3::Zero();
-  return field.force(v) - options_.adhesion * field.node_areas()[v] * field.displacement(v);
+  const Vec3 r = field.force(v) - options_.adhesion * field.node_areas()[v] * field.displacement(v);
+  return r - field.normals()[v].dot(r) * field.normals()[v];
 }
 
 void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
@@ -155,6 +156,7 @@ void Equilibrium::solve(const StressField& field, Patch& patch) const {
   patch.p.assign(n + 1, Vec4d{});
   patch.q.assign(n + 1, Vec4d{});
   patch.mass.resize(n);
+  patch.normals.resize(n);
   patch.inverse_diagonal.assign(n + 1, 0.0);
 
   // Jacobi: a third of the trace of each node's 3×3 block, ½ (|B|² P + B Bᵀ) per element corner
@@ -171,6 +173,8 @@ void Equilibrium::solve(const StressField& field, Patch& patch) const {
   double rz = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const std::int32_t v = patch.nodes[i];
+    const Vec3& normal = field.normals()[v];
+    patch.normals[i].v = Vec4d::Lanes{normal.x(), normal.y(), normal.z(), 0};
     patch.mass[i] = options_.adhesion * field.node_areas()[v];
     patch.inverse_diagonal[i] = 1 / (patch.inverse_diagonal[i] + patch.mass[i]);
     const Vec3 r = residual(field, v);
@@ -189,7 +193,10 @@ void Equilibrium::solve(const StressField& field, Patch& patch) const {
     add_stiffness(patch.elements.data(), patch.corners.data(), patch.elements.size(),
                   patch.p.data(), patch.q.data());
     double pq = 0;
-    for (std::size_t i = 0; i < n; ++i) pq += dot(patch.p[i], patch.q[i]);
+    for (std::size_t i = 0; i < n; ++i) {
+      patch.q[i].v -= dot(patch.q[i], patch.normals[i]) * patch.normals[i].v;
+      pq += dot(patch.p[i], patch.q[i]);
+    }
     if (!(pq > 0)) break;
     const double step = rz / pq;
     double rz_next = 0;

@@ -18,12 +18,13 @@ struct EquilibriumOptions {
 };
 
 /// Brings a StressField into the equilibrium of Eqs. 3–7 with adhesion: F_n − κ A_n u_n = 0 for all
-/// free nodes to within a tolerance. σ = σ₀ + B u and F = −Bᵀ A σ are linear in u, so the
-/// correction δ solves (K + κ M) δ = F − κ M u, K = Σ A BᵀB: symmetric and, with κ > 0, positive
-/// definite. Adhesion screens: the correction for a new crack decays over ℓ = 1/√κ. It is sought by
-/// conjugate gradients on the nodes near the change alone, and the neighbourhood grows while more
-/// than the tolerance leaks out of it. Cost per change: O((radius / h)²) per iteration, whatever
-/// the mesh.
+/// free nodes to within a tolerance, in the tangent plane of the surface: the layer slides over
+/// what it sticks to and neither lifts off nor sinks in, so that it is not unloaded by bulges and
+/// hollows. σ = σ₀ + B u and F = −Bᵀ A σ are linear in u, so the correction δ solves (K + κ M) δ =
+/// F − κ M u, K = Σ A BᵀB: symmetric and, with κ > 0, positive definite. Adhesion screens: the
+/// correction for a new crack decays over ℓ = 1/√κ. It is sought by conjugate gradients on the
+/// nodes near the change alone, and the neighbourhood grows while more than the tolerance leaks out
+/// of it. Cost per change: O((radius / h)²) per iteration, whatever the mesh.
 class Equilibrium {
  public:
   explicit Equilibrium(const EquilibriumOptions& options) : options_(options) {}
@@ -40,7 +41,7 @@ class Equilibrium {
   void restore(StressField& field, const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds,
                int threads, std::vector<std::int32_t>& moved);
 
-  /// F − κ A u of a node: what still pulls at it; 0 where it is fixed.
+  /// The tangential part of F − κ A u: what still pulls at a node; 0 where it is fixed.
   Vec3 residual(const StressField& field, std::int32_t v) const;
 
   std::int64_t iterations() const { return iterations_; }
@@ -55,6 +56,7 @@ class Equilibrium {
     std::vector<std::array<std::int32_t, 3>> corners;  // local node, or nodes.size(): held
     std::vector<Element> elements;                     // copies, for streaming
     std::vector<Vec4d> x, r, p, q;                     // nodes.size() + 1 each
+    std::vector<Vec4d> normals;                        // nodes.size()
     std::vector<double> inverse_diagonal, mass;
     std::int64_t iterations = 0;
   };

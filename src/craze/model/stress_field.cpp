@@ -38,12 +38,20 @@ StressField::StressField(const TriangleMesh& mesh, double cap)
       elements_(mesh.face_count()),
       forces_(mesh.vertex_count()),
       displacements_(mesh.vertex_count()),
+      normals_(mesh.vertex_count(), Vec3::Zero()),
       node_areas_(mesh.vertex_count(), 0.0) {
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     elements_[f] = make_element(mesh, f);
     const double third = mesh.area(f) / 3;
-    for (const std::int32_t v : mesh.triangle(f)) node_areas_[v] += third;
+    const Triangle& t = mesh.triangle(f);
+    const Vec3& p = mesh.position(t[0]);
+    const Vec3 normal = (mesh.position(t[1]) - p).cross(mesh.position(t[2]) - p);
+    for (const std::int32_t v : t) {
+      node_areas_[v] += third;
+      normals_[v] += normal;
+    }
   }
+  for (Vec3& n : normals_) n.normalize();
 }
 
 Element StressField::make_element(const TriangleMesh& mesh, std::int32_t f) const {
@@ -108,6 +116,7 @@ void StressField::follow(const TriangleMesh& mesh, const TriangleMesh::Split& sp
   Vec4d u;
   u.v = (1 - t) * displacements_[from].v + t * displacements_[to].v;
   displacements_.push_back(u);
+  normals_.emplace_back(((1 - t) * normals_[from] + t * normals_[to]).normalized());
   forces_.emplace_back();
   node_areas_.push_back(0);
   elements_.resize(mesh.face_count());
@@ -135,6 +144,7 @@ void StressField::follow(const TriangleMesh& mesh, const TriangleMesh::Split& sp
 void StressField::follow(const TriangleMesh& mesh, std::int32_t vertex, std::int32_t copy) {
   if (copy < 0) return;
   displacements_.push_back(Vec4d(displacements_[vertex]));
+  normals_.push_back(Vec3(normals_[vertex]));
   forces_.emplace_back();
   node_areas_.push_back(0);
   for (const std::int32_t v : {vertex, copy}) {

@@ -52,6 +52,9 @@ class StressField {
   /// #V, A_n in the adhesion κ A_n u_n: a third of the area of the faces around each node, each
   /// times the factor of its source face given to set_adhesion.
   const std::vector<double>& node_areas() const { return node_areas_; }
+  /// #V, unit normals of the surface at the nodes: area-weighted means of the faces' where the mesh
+  /// was when the field was made, and between those of the ends of a split edge.
+  const std::vector<Vec3>& normals() const { return normals_; }
   /// Factors on κ per source face, ≥ 0; copied.
   void set_adhesion(const TriangleMesh& mesh, std::vector<double> factors);
 
@@ -82,6 +85,7 @@ class StressField {
   std::vector<Element> elements_;     // #F
   std::vector<Vec4d> forces_;         // #V
   std::vector<Vec4d> displacements_;  // #V
+  std::vector<Vec3> normals_;         // #V
   std::vector<double> node_areas_;    // #V
 };
 
