@@ -61,17 +61,16 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
         face_mark_[patch.faces[f]] = 0;
         for (int c = 0; c < 3; ++c) {
           const std::int32_t v = mesh.triangle(patch.faces[f])[c];
+          if (drift_[v] > options_.noticeable) {
+            drift_[v] = 0;
+            moved.push_back(v);
+          }
           if (patch.corners[f][c] == held && residual(field, v).squaredNorm() > allowed) {
             open.push_back(v);
           }
         }
       }
-      for (const std::int32_t v : patch.nodes) {
-        node_mark_[v] = -1;
-        if (drift_[v] <= options_.tolerance) continue;
-        drift_[v] = 0;
-        moved.push_back(v);
-      }
+      for (const std::int32_t v : patch.nodes) node_mark_[v] = -1;
     }
     std::sort(open.begin(), open.end());
     open.erase(std::unique(open.begin(), open.end()), open.end());
@@ -218,12 +217,11 @@ void Equilibrium::apply(StressField& field, const TriangleMesh& mesh, const Patc
     Vec4d& u = field.displacements()[patch.nodes[i]];
     u.v += patch.x[i].v;
     u[3] = 0;
-    drift_[patch.nodes[i]] += std::sqrt(dot(patch.x[i], patch.x[i]));
   }
   for (std::size_t f = 0; f < patch.faces.size(); ++f) {
     const auto& corner = patch.corners[f];
     const Vec4d &x0 = patch.x[corner[0]], &x1 = patch.x[corner[1]], &x2 = patch.x[corner[2]];
-    field.displace(patch.faces[f], mesh.triangle(patch.faces[f]), x0, x1, x2);
+    field.displace(patch.faces[f], mesh.triangle(patch.faces[f]), x0, x1, x2, drift_);
   }
 }
 

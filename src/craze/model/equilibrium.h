@@ -13,6 +13,7 @@ namespace craze {
 struct EquilibriumOptions {
   double adhesion = 0;      ///< κ, 1/length²; > 0
   double tolerance = 0;     ///< largest force left on any node, force
+  double noticeable = 0;    ///< change of the forces on a node at which it is reported, force
   double radius = 0;        ///< of the first neighbourhood solved around a change, length
   double longest_edge = 0;  ///< of the mesh, length: keeps patches solved in parallel apart
 };
@@ -32,12 +33,15 @@ class Equilibrium {
   /// Nodes that never move. Vertices beyond the vector are free.
   std::vector<char> fixed;
 
-  void set_tolerance(double tolerance) { options_.tolerance = tolerance; }
+  void set_tolerance(double tolerance, double noticeable) {
+    options_.tolerance = tolerance;
+    options_.noticeable = noticeable;
+  }
 
   /// Restores equilibrium after something changed at the nodes `seeds`; all other nodes must be in
-  /// equilibrium already. Appends to `moved` the nodes that have moved, since they were last in it,
-  /// by more than the tolerance (K is of order one: so much force). Seeds far apart are solved
-  /// apart, in parallel; the result does not depend on threads.
+  /// equilibrium already. Appends to `moved` the nodes whose separation tensor may have changed by
+  /// more than `noticeable` since they were last in it. Seeds far apart are solved apart, in
+  /// parallel; the result does not depend on threads.
   void restore(StressField& field, const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds,
                int threads, std::vector<std::int32_t>& moved);
 
@@ -75,7 +79,7 @@ class Equilibrium {
   std::size_t patch_count_ = 0;
   std::vector<std::int32_t> node_mark_;  // #V: local index in its patch, −1: in none
   std::vector<char> face_mark_;          // #F: in a patch
-  std::vector<double> drift_;            // #V: length moved since last reported
+  std::vector<double> drift_;            // #V: force changed since last reported
   std::int64_t iterations_ = 0;
   std::int64_t element_updates_ = 0;
 };

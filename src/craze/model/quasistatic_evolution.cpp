@@ -11,7 +11,9 @@ namespace craze {
 namespace {
 
 // The largest force left on a node at a crack decision, as part of the force at which nodes fail.
-constexpr double relative_residual = 1e-3;
+constexpr double relative_residual = 5e-3;
+// A node is looked at again when the forces on it have changed by this part of the same.
+constexpr double relative_change = 1e-2;
 // A change is first solved for within this many screening lengths; what leaks out is followed.
 constexpr double patch_radius = 2.0;
 // Failing nodes farther apart than this many screening lengths are cracked in one step.
@@ -19,6 +21,20 @@ constexpr double independence = 6.0;
 
 // Equilibrium is tightened everywhere each time the load has grown by this factor.
 constexpr double accuracy_step = 1.25;
+
+/// The v⁺ at which a typical node fails at load 1, force.
+double failure_force(const TriangleMesh& mesh, const MaterialParameters& material) {
+  if (material.criterion == Criterion::force) return material.toughness;
+  // node_width() of a regular star is about the height of its triangles.
+  constexpr double width_per_edge = 0.87;
+  double edges = 0;
+  for (const Triangle& t : mesh.triangles()) {
+    for (int i = 0; i < 3; ++i) {
+      edges += (mesh.position(t[i]) - mesh.position(t[(i + 1) % 3])).norm();
+    }
+  }
+  return material.strength * width_per_edge * edges / (3 * std::max(1, mesh.face_count()));
+}
 
 double longest_edge(const TriangleMesh& mesh) {
   double longest = 0;
@@ -37,9 +53,9 @@ QuasistaticEvolution::QuasistaticEvolution(const TriangleMesh& mesh,
                                            const SimulationParameters& parameters,
                                            const EvolutionInputs& inputs)
     : parameters_(parameters.evolution),
-      failure_force_(parameters.material.toughness),
+      failure_force_(failure_force(mesh, parameters.material)),
       independence_(independence * parameters.layer.screening_length),
-      equilibrium_({adhesion(parameters.layer), relative_residual * failure_force_,
+      equilibrium_({adhesion(parameters.layer), 0, 0,
                     patch_radius * parameters.layer.screening_length, longest_edge(mesh)}) {
   equilibrium_.fixed = inputs.fixed;
 }
@@ -55,22 +71,15 @@ void QuasistaticEvolution::evolve(StressField& field, const TriangleMesh& mesh, 
   if (load_ >= accurate_up_to_) {
     accurate_up_to_ = load_ > 0 ? std::min(accuracy_step * load_, 2 * parameters_.max_load)
                                 : parameters_.max_load;
-    equilibrium_.set_tolerance(relative_residual * failure_force_ / accurate_up_to_);
+    const double failure_force = failure_force_ / accurate_up_to_;
+    equilibrium_.set_tolerance(relative_residual * failure_force, relative_change * failure_force);
     seeds_.resize(mesh.vertex_count());
     std::iota(seeds_.begin(), seeds_.end(), 0);
   }
   std::sort(seeds_.begin(), seeds_.end());
   seeds_.erase(std::unique(seeds_.begin(), seeds_.end()), seeds_.end());
-  const std::size_t first = changed.size();
   equilibrium_.restore(field, mesh, seeds_, threads, changed);
   seeds_.clear();
-  const std::size_t last = changed.size();
-  for (std::size_t i = first; i < last; ++i) {
-    mesh.for_each_outgoing(std::int32_t{changed[i]}, [&](std::int32_t h) {
-      changed.push_back(mesh.to(h));
-      changed.push_back(mesh.from(TriangleMesh::prev(h)));
-    });
-  }
 }
 
 bool QuasistaticEvolution::advance(double needed) {

@@ -89,13 +89,17 @@ void StressField::update_forces(const TriangleMesh& mesh) {
 }
 
 void StressField::displace(std::int32_t f, const Triangle& corners, const Vec4d& u0,
-                           const Vec4d& u1, const Vec4d& u2) {
+                           const Vec4d& u1, const Vec4d& u2, std::vector<double>& drift) {
   const ElementResponse response = element_response(elements_[f], u1.v - u0.v, u2.v - u0.v);
   response.add_stress_to(elements_[f]);
-  forces_[corners[0]].v += response.f1 + response.f2;
-  forces_[corners[1]].v -= response.f1;
-  forces_[corners[2]].v -= response.f2;
-  for (const std::int32_t v : corners) forces_[v][3] = 0;
+  const Vec4d::Lanes changes[3] = {response.f1 + response.f2, -response.f1, -response.f2};
+  for (int c = 0; c < 3; ++c) {
+    const Vec4d::Lanes& change = changes[c];
+    forces_[corners[c]].v += change;
+    forces_[corners[c]][3] = 0;
+    drift[corners[c]] +=
+        std::sqrt(change[0] * change[0] + change[1] * change[1] + change[2] * change[2]);
+  }
 }
 
 void StressField::update_node_area(const TriangleMesh& mesh, std::int32_t v) {

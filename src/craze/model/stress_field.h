@@ -63,9 +63,10 @@ class StressField {
   void update_forces(const TriangleMesh& mesh);
 
   /// [IO06 Eqs. 6, 7] Adds to σ of a face what virtual displacements of its corners make of it, and
-  /// the change of Eq. 1's forces to the corners.
+  /// the change of Eq. 1's forces to the corners. The sizes of those three changes are added to
+  /// `drift` (#V): no eigenvalue of ς changes by more than its node's share.
   void displace(std::int32_t f, const Triangle& corners, const Vec4d& u0, const Vec4d& u1,
-                const Vec4d& u2);
+                const Vec4d& u2, std::vector<double>& drift);
 
   /// Follows TriangleMesh::split_edge: the halves keep the parent's σ, the new node lies between
   /// the ends of the split edge and takes its u from them. Forces around are updated.
