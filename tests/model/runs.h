@@ -8,9 +8,11 @@
 
 namespace craze::test {
 
-/// Mud on a plate or glaze on a sphere, small enough to crack in a fraction of a second.
+/// By the paper's scheme: mud on a plate or glaze on a sphere, small enough to crack in a fraction
+/// of a second.
 inline SimulationParameters small_run() {
   SimulationParameters p;
+  p.engine = Engine::euler;
   p.material.toughness = 0.03;
   p.layer.screening_length = 0.12;
   p.evolution.relaxation_steps = 5;

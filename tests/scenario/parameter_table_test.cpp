@@ -90,7 +90,8 @@ TEST(ParameterTable, SettingAFieldChangesThatFieldAndNoOther) {
     if (auto* integer = std::get_if<std::int64_t>(&other)) *integer += 3;
     if (auto* numbers = std::get_if<std::vector<double>>(&other)) numbers->back() = 7;
     if (auto* word = std::get_if<std::string>(&other)) {
-      *word = p.choices.empty() ? "painted" : p.choices.back();
+      const bool last = !p.choices.empty() && *word == p.choices.back();
+      *word = p.choices.empty() ? "painted" : last ? p.choices.front() : p.choices.back();
     }
     p.set(recipe, 0, other);
     for (const Parameter& q : parameter_table()) {

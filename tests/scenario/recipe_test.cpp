@@ -256,7 +256,7 @@ TEST(RecipeJson, HoldsSectionsAndImpacts) {
   recipe.simulation.impacts.resize(2);
   recipe.simulation.impacts[1].radius = 5;
   const auto json = recipe_to_json(recipe);
-  EXPECT_EQ(json["engine"], "euler");
+  EXPECT_EQ(json["engine"], "quasistatic");
   EXPECT_EQ(json["material"]["alpha"], 0.5);
   EXPECT_EQ(json["impact"].size(), 2u);
   EXPECT_EQ(json["impact"][1]["radius"], 5.0);
