@@ -221,7 +221,7 @@ Recipe read_recipe_file(const std::string& path, const Recipe& base) {
 }
 
 void apply_set(Recipe& recipe, const std::string& assignment) {
-  const std::string where = "--set " + assignment;
+  std::string where = "--set " + assignment;
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {
     fail("not a setting", where, "write --set key=value");
