@@ -13,7 +13,7 @@ namespace {
 
 struct Options {
   RunRequest request;
-  std::string preset, recipe, seed;
+  std::string preset, recipe, seed, material;
   std::vector<std::string> settings;
   int threads = 0;
   bool quiet = false;
@@ -33,6 +33,7 @@ Recipe build_recipe(const Options& options) {
   }
   if (!options.recipe.empty()) recipe = read_recipe_file(options.recipe);
   for (const std::string& setting : options.settings) apply_set(recipe, setting);
+  if (!options.material.empty()) apply_set(recipe, "picture.material=\"" + options.material + "\"");
   if (!options.seed.empty()) apply_set(recipe, "seed=" + options.seed);
   return recipe;
 }
@@ -90,7 +91,7 @@ void add_crack(CLI::App& app, Action& action) {
       ->required()
       ->type_name("");
   add_outputs(*verb, options->request);
-  verb->add_option("--material", options->request.material,
+  verb->add_option("--material", options->material,
                    "What the picture shows: clay, mud, glaze, plaster, glass or paint")
       ->type_name("NAME")
       ->capture_default_str();

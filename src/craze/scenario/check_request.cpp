@@ -88,7 +88,7 @@ void check_request(const RunRequest& request) {
     const fs::path frames = fs::path(request.frames) / "frame_0000.png";
     if (fs::exists(request.frames)) check_folder({"the frames", frames.string(), {}});
   }
-  render::find_material(request.material);
+  render::find_material(request.recipe.picture.material);
   if (taken.empty() && request.report.empty() && request.frames.empty()) {
     throw Error(ErrorKind::usage, "nothing to write", "",
                 "give -o FILE, or one of --lines, --picture, --frames, --fields, --report");

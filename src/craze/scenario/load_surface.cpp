@@ -5,9 +5,18 @@
 
 namespace craze {
 
+namespace {
+
+constexpr std::string_view prefix = "shape:";
+
+}  // namespace
+
+bool is_shape(std::string_view input) {
+  return input.substr(0, prefix.size()) == prefix;
+}
+
 SurfaceMesh load_surface(const std::string& input) {
-  constexpr std::string_view prefix = "shape:";
-  if (input.compare(0, prefix.size(), prefix) == 0) return make_shape(input.substr(prefix.size()));
+  if (is_shape(input)) return make_shape(input.substr(prefix.size()));
   return read_mesh(input);
 }
 

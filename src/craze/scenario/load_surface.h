@@ -2,10 +2,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "craze/mesh/surface_mesh.h"
 
 namespace craze {
+
+/// Whether the input names a built-in shape, "shape:…".
+bool is_shape(std::string_view input);
 
 /// Reads a mesh file, or makes the shape of "shape:NAME?key=value&…". Throws Error(input) for a
 /// file that cannot be read, Error(usage) for an unknown shape.

@@ -13,6 +13,7 @@
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
 #include "craze/scenario/fields.h"
+#include "craze/scenario/load_surface.h"
 #include "craze/scenario/network_lines.h"
 #include "craze/scenario/opened_surface.h"
 #include "craze/scenario/output_surface.h"
@@ -48,10 +49,20 @@ SurfaceMesh shown_surface(const SurfaceMesh& cut_surface, const Simulation& simu
   return opened_surface(cut_surface, mesh, opened, post.curl == 0);
 }
 
+render::PictureOptions picture_options(const RunRequest& request) {
+  render::PictureOptions options;
+  options.material = render::find_material(request.recipe.picture.material);
+  options.view.up = request.recipe.picture.up;
+  // Built-in shapes stand along z.
+  if (options.view.up == render::UpAxis::automatic && is_shape(request.input)) {
+    options.view.up = render::UpAxis::z;
+  }
+  return options;
+}
+
 void write_picture(const RunRequest& request, const SurfaceMesh& shown,
                    const Simulation& simulation, const Context& context) {
-  render::PictureOptions options;
-  options.material = render::find_material(request.material);
+  const render::PictureOptions options = picture_options(request);
   const TriangleMesh& mesh = simulation.mesh();
   // Opened cracks are seen by their gaps and walls.
   const bool shut = request.recipe.post.gap == 0;
@@ -68,8 +79,7 @@ void write_picture(const RunRequest& request, const SurfaceMesh& shown,
 /// Pictures of the shut cracks at equal steps of time, from none to all.
 void write_frames(const RunRequest& request, const SurfaceMesh& cut, const Simulation& simulation,
                   const Context& context) {
-  render::PictureOptions options;
-  options.material = render::find_material(request.material);
+  const render::PictureOptions options = picture_options(request);
   const TriangleMesh& mesh = simulation.mesh();
   const std::vector<std::int32_t> sides = crack_sides(mesh);
   const std::vector<double> times = simulation.crack_times();

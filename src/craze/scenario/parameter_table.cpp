@@ -208,6 +208,15 @@ std::vector<Parameter> make_table() {
       .add("curl", &PostParameters::curl, any,
            {.help = "lift of the crack edges, as a share of their displacement",
             .source = "[IO06 §5, Fig. 9]"});
+
+  Section(
+      t, "picture.", [](auto& r, std::size_t) -> auto& { return r.picture; })
+      .add("material", &PictureParameters::material, any,
+           {.help = "look of the surface in pictures: clay, mud, glaze, plaster, glass or paint"})
+      .add("up", &PictureParameters::up, any,
+           {.help = "axis that points up in pictures; auto: z for flat plates and built-in shapes, "
+                    "else y",
+            .choices = {"auto", "x", "y", "z"}});
   return t;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "craze/model/parameters.h"
+#include "craze/render/camera.h"
 
 namespace craze {
 
@@ -32,10 +33,17 @@ struct PostParameters {
   double curl = 0;  ///< lift at a crack, as a share of the displacement there
 };
 
+/// [picture]: how the result is shown.
+struct PictureParameters {
+  std::string material = "clay";  ///< a name of render::materials()
+  render::UpAxis up = render::UpAxis::automatic;
+};
+
 struct Recipe {
   SimulationParameters simulation;
   MeshParameters mesh;
   PostParameters post;
+  PictureParameters picture;
 };
 
 /// Equal in every parameter of the table.

@@ -18,11 +18,10 @@ struct RunRequest {
   /// Crack events to stop after; unlike evolution.max_cracks, 0 means none: the initial state.
   std::optional<std::int64_t> max_cracks;
 
-  std::string output;             ///< the cracked mesh: .ply .obj .stl .glb
-  std::string lines;              ///< the cracks: .ply .obj .svg .json
-  std::string picture;            ///< .png
-  std::string material = "clay";  ///< of the pictures: a name of render::materials()
-  std::string frames;             ///< a folder, made if need be: frame_0000.png … of the growth
+  std::string output;   ///< the cracked mesh: .ply .obj .stl .glb
+  std::string lines;    ///< the cracks: .ply .obj .svg .json
+  std::string picture;  ///< .png
+  std::string frames;   ///< a folder, made if need be: frame_0000.png … of the growth
   int frame_count = 24;
   std::string fields;  ///< stress, forces and curvatures at the end: .ply
   std::string report;  ///< .json, or "-": only in the result
