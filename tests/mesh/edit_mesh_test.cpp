@@ -23,12 +23,11 @@ MeshSummary summary_of(const EditMesh& mesh) {
   const TriangleMesh made(positions, triangles);  // throws if it is not manifold
   EXPECT_TRUE(validate(made).empty());
   // The adjacency kept through the edits is the one that the triangles imply.
-  std::int32_t open = 0, edges = 0;
+  std::int32_t open = 0;
   for (std::int32_t h = 0; h < mesh.halfedge_slots(); ++h) {
     if (!mesh.is_face(h / 3)) continue;
     const std::int32_t o = mesh.opposite(h);
     open += o < 0;
-    edges += mesh.is_edge(h);
     if (o < 0) continue;
     EXPECT_EQ(mesh.opposite(o), h);
     EXPECT_EQ(mesh.from(o), mesh.to(h));
