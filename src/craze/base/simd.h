@@ -1,4 +1,4 @@
-// Four doubles handled as one: the unit in which the hot loops read and write.
+// Four numbers handled as one: the units in which the hot loops read and write.
 #pragma once
 
 namespace craze {
@@ -11,6 +11,15 @@ struct alignas(32) Vec4d {
 
   double operator[](int i) const { return v[i]; }
   double& operator[](int i) { return reinterpret_cast<double*>(this)[i]; }
+};
+
+/// Four floats handled as one, 16-byte aligned.
+struct alignas(16) Vec4f {
+  using Lanes = float __attribute__((vector_size(16)));
+  Lanes v = {0, 0, 0, 0};
+
+  float operator[](int i) const { return v[i]; }
+  float& operator[](int i) { return reinterpret_cast<float*>(this)[i]; }
 };
 
 // Compiles a function twice and picks the wider one at start-up. Without contraction

@@ -4,17 +4,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/simd.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/model/patch_solver.h"
 #include "craze/model/stress_field.h"
+#include "craze/model/tangent_stiffness.h"
 
 namespace craze {
 
 struct EquilibriumOptions {
   double adhesion = 0;      ///< κ, 1/length²; > 0
   double tolerance = 0;     ///< largest force left on any node, force
-  double noticeable = 0;    ///< change of the forces on a node at which it is reported, force
-  double radius = 0;        ///< of the first neighbourhood solved around a change, length
+  double radius = 0;        ///< of the largest neighbourhood solved around a change at once, length
   double longest_edge = 0;  ///< of the mesh, length: keeps patches solved in parallel apart
 };
 
@@ -23,30 +23,29 @@ struct EquilibriumOptions {
 /// what it sticks to and neither lifts off nor sinks in, so that it is not unloaded by bulges and
 /// hollows. σ = σ₀ + B u and F = −Bᵀ A σ are linear in u, so the correction δ solves (K + κ M) δ =
 /// F − κ M u, K = Σ A BᵀB: symmetric and, with κ > 0, positive definite. Adhesion screens: the
-/// correction for a new crack decays over ℓ = 1/√κ. It is sought by conjugate gradients on the
-/// nodes near the change alone, and the neighbourhood grows while more than the tolerance leaks out
-/// of it. Cost per change: O((radius / h)²) per iteration, whatever the mesh.
+/// correction for a new crack decays over ℓ = 1/√κ, and is sought where it matters
+/// (patch_solver.h). Corrections are single precision, what they act on and the residual double.
 class Equilibrium {
  public:
-  explicit Equilibrium(const EquilibriumOptions& options) : options_(options) {}
+  explicit Equilibrium(const EquilibriumOptions& options)
+      : options_(options), stiffness_(options.adhesion) {}
 
   /// Nodes that never move. Vertices beyond the vector are free.
   std::vector<char> fixed;
 
-  void set_tolerance(double tolerance, double noticeable) {
-    options_.tolerance = tolerance;
-    options_.noticeable = noticeable;
-  }
+  void set_tolerance(double tolerance) { options_.tolerance = tolerance; }
 
-  /// Restores equilibrium after something changed at the nodes `seeds`; all other nodes must be in
-  /// equilibrium already. Appends to `moved` the nodes whose separation tensor may have changed by
-  /// more than `noticeable` since they were last in it. Seeds far apart are solved apart, in
-  /// parallel; the result does not depend on threads.
-  void restore(StressField& field, const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds,
-               int threads, std::vector<std::int32_t>& moved);
+  /// Lets the forces on v change by this much, in sum over its elements, from now on, before
+  /// restore() reports it; at least by the tolerance. Returns what was granted.
+  double allow_drift(std::int32_t v, double force);
 
-  /// The tangential part of F − κ A u: what still pulls at a node; 0 where it is fixed.
-  Vec3 residual(const StressField& field, std::int32_t v) const;
+  /// Restores equilibrium after the stars of the nodes `changed` did, or anything else at them; all
+  /// other nodes must be in equilibrium already. Appends to `moved` the nodes whose forces
+  /// have changed by more than was allowed (allow_drift). Changes far
+  /// apart are solved apart, in parallel; the result does not depend on threads.
+  void restore(StressField& field, const TriangleMesh& mesh,
+               const std::vector<std::int32_t>& changed, int threads,
+               std::vector<std::int32_t>& moved);
 
   std::int64_t iterations() const { return iterations_; }
   std::int64_t element_updates() const { return element_updates_; }
@@ -54,32 +53,21 @@ class Equilibrium {
  private:
   struct Patch {
     std::vector<std::int32_t> seeds;
-    std::vector<std::int32_t> nodes;                   // global index of each local node
-    std::vector<std::int32_t> origin;                  // the seed whose wave reached it
-    std::vector<std::int32_t> faces;                   // global
-    std::vector<std::array<std::int32_t, 3>> corners;  // local node, or nodes.size(): held
-    std::vector<Element> elements;                     // copies, for streaming
-    std::vector<Vec4d> x, r, p, q;                     // nodes.size() + 1 each
-    std::vector<Vec4d> normals;                        // nodes.size()
-    std::vector<double> inverse_diagonal, mass;
-    std::int64_t iterations = 0;
+    PatchSolver solver;
+    std::vector<Vec4d> displacements;  // of the solver's active nodes
   };
 
   void cluster_seeds(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds,
                      double reach);
-  void grow(const TriangleMesh& mesh, Patch& patch, double radius);
-  void solve(const StressField& field, Patch& patch) const;
-  void apply(StressField& field, const TriangleMesh& mesh, const Patch& patch);
-  bool is_fixed(std::int32_t v) const {
-    return v < static_cast<std::int32_t>(fixed.size()) && fixed[v] != 0;
-  }
+  void apply(StressField& field, const LayerState& layer, Patch& patch);
 
   EquilibriumOptions options_;
+  TangentStiffness stiffness_;
   std::vector<Patch> patches_;  // storage kept between calls
   std::size_t patch_count_ = 0;
-  std::vector<std::int32_t> node_mark_;  // #V: local index in its patch, −1: in none
-  std::vector<char> face_mark_;          // #F: in a patch
-  std::vector<double> drift_;            // #V: force changed since last reported
+  std::vector<std::int32_t> mark_;  // #V: index in its patch, −1: in none
+  std::vector<double> drift_;       // #V: how much the forces changed since drift was last allowed
+  std::vector<double> allowed_;     // #V: how much they may
   std::int64_t iterations_ = 0;
   std::int64_t element_updates_ = 0;
 };

@@ -17,6 +17,7 @@ class EulerEvolution : public Evolution {
   void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) override;
   void evolve(StressField& field, const TriangleMesh& mesh, int threads,
               std::vector<std::int32_t>& changed) override;
+  double allow_drift(std::int32_t, double) override { return 0; }
   bool advance(double needed) override;
   double load() const override { return 1; }
   double highest_load() const override { return 1; }

@@ -27,6 +27,9 @@ class Evolution {
   /// separation tensor may have changed, in any order, with repeats.
   virtual void evolve(StressField& field, const TriangleMesh& mesh, int threads,
                       std::vector<std::int32_t>& changed) = 0;
+  /// Says that the forces on v may change by this much, in sum over its elements, before evolve()
+  /// has to name it. Returns what will be granted, from now on: 0 where every change is named.
+  virtual double allow_drift(std::int32_t v, double force) = 0;
   /// Asked where no node fails at the present load and the next would at `needed` (∞: none ever
   /// does). Returns whether to go on, having raised the load if that is this engine's way.
   virtual bool advance(double needed) = 0;

@@ -61,23 +61,31 @@ double mean_tension_ahead(const TriangleMesh& mesh, const StressField& field, st
   return total > 0 ? tension / total : 0;
 }
 
-double FailureCriterion::threshold(const TriangleMesh& mesh, const StressField& field,
-                                   std::int32_t v, const Eigenpair& failure, double scale) const {
+double FailureCriterion::least_threshold(const TriangleMesh& mesh, std::int32_t v,
+                                         const Vec3& normal, double scale) const {
   if (material_.criterion == Criterion::force) return material_.toughness * scale;
-  const double width = node_width(mesh, v, failure.vector);
+  const double width = node_width(mesh, v, normal);
   const double strength = material_.strength * scale * width;
-  if (is_crack_tip(mesh, v)) {
-    const double toughness = material_.toughness * scale * std::sqrt(width);
-    const auto origin = origin_.find(v);
-    const bool young =
-        origin != origin_.end() && (mesh.position(v) - origin->second).norm() < process_zone_;
-    return young ? std::min(strength, toughness) : toughness;
-  }
-  if (in_process_zone(mesh, v)) return std::numeric_limits<double>::infinity();
-  if (!mesh.is_open_vertex(v) || !(process_zone_ > 0)) return strength;
+  if (!is_crack_tip(mesh, v)) return strength;
+  const double toughness = material_.toughness * scale * std::sqrt(width);
+  const auto origin = origin_.find(v);
+  const bool young =
+      origin != origin_.end() && (mesh.position(v) - origin->second).norm() < process_zone_;
+  return young ? std::min(strength, toughness) : toughness;
+}
+
+double FailureCriterion::threshold(const TriangleMesh& mesh, const StressField& field,
+                                   std::int32_t v, const Eigenpair& failure, double scale,
+                                   std::int32_t& shield) const {
+  shield = -1;
+  const double least = least_threshold(mesh, v, failure.vector, scale);
+  if (material_.criterion == Criterion::force || is_crack_tip(mesh, v)) return least;
+  shield = tip_near(mesh, v);
+  if (shield >= 0) return std::numeric_limits<double>::infinity();
+  if (!mesh.is_open_vertex(v) || !(process_zone_ > 0)) return least;
   const double ahead = mean_tension_ahead(mesh, field, v, failure.vector, process_zone_);
   if (!(ahead > 0)) return std::numeric_limits<double>::infinity();
-  return std::max(strength, failure.value * material_.strength * scale / ahead);
+  return std::max(least, failure.value * material_.strength * scale / ahead);
 }
 
 void FailureCriterion::tip_advanced(const TriangleMesh& mesh, std::int32_t from, std::int32_t to) {
@@ -87,17 +95,13 @@ void FailureCriterion::tip_advanced(const TriangleMesh& mesh, std::int32_t from,
   origin_[to] = start;
 }
 
-double FailureCriterion::least_threshold(double scale) const {
-  return material_.criterion == Criterion::force ? material_.toughness * scale : 0;
-}
-
-void FailureCriterion::node_changed(const TriangleMesh& mesh, std::int32_t v) {
-  if (material_.criterion == Criterion::force || !(process_zone_ > 0)) return;
+bool FailureCriterion::node_changed(const TriangleMesh& mesh, std::int32_t v) {
+  if (material_.criterion == Criterion::force || !(process_zone_ > 0)) return false;
   if (static_cast<std::size_t>(mesh.vertex_count()) > listed_.size()) {
     listed_.resize(mesh.vertex_count(), 0);
   }
   const bool tip = is_crack_tip(mesh, v);
-  if (tip == (listed_[v] != 0)) return;
+  if (tip == (listed_[v] != 0)) return false;
   listed_[v] = tip ? 1 : 0;
   std::vector<std::int32_t>& cell = tips_[cell_of(mesh.position(v), 0, 0, 0)];
   if (tip) {
@@ -105,10 +109,11 @@ void FailureCriterion::node_changed(const TriangleMesh& mesh, std::int32_t v) {
   } else {
     cell.erase(std::find(cell.begin(), cell.end(), v));
   }
+  return !tip;
 }
 
-bool FailureCriterion::in_process_zone(const TriangleMesh& mesh, std::int32_t v) const {
-  if (!(process_zone_ > 0)) return false;
+std::int32_t FailureCriterion::tip_near(const TriangleMesh& mesh, std::int32_t v) const {
+  if (!(process_zone_ > 0)) return -1;
   const Vec3& p = mesh.position(v);
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
@@ -117,12 +122,12 @@ bool FailureCriterion::in_process_zone(const TriangleMesh& mesh, std::int32_t v)
         if (cell == tips_.end()) continue;
         for (const std::int32_t tip : cell->second) {
           const double squared = (mesh.position(tip) - p).squaredNorm();
-          if (squared < process_zone_ * process_zone_) return true;
+          if (squared < process_zone_ * process_zone_) return tip;
         }
       }
     }
   }
-  return false;
+  return -1;
 }
 
 std::uint64_t FailureCriterion::cell_of(const Vec3& p, int dx, int dy, int dz) const {

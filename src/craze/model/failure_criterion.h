@@ -40,20 +40,22 @@ class FailureCriterion {
   /// process_zone: length.
   FailureCriterion(const MaterialParameters& material, double process_zone);
 
+  /// A lower bound of threshold() that looks no farther than the star of v.
+  double least_threshold(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal,
+                         double scale) const;
   /// The v⁺ above which v fails by the crack plane of `failure`, its own v⁺ and n̂⁺; ∞ where it
-  /// cannot. `scale` multiplies toughness and strength.
+  /// cannot. `scale` multiplies toughness and strength. Where a tip's process zone keeps v from
+  /// failing, `shield` becomes that tip, else −1.
   double threshold(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
-                   const Eigenpair& failure, double scale) const;
+                   const Eigenpair& failure, double scale, std::int32_t& shield) const;
   /// A crack at `from` made the new tip `to`.
   void tip_advanced(const TriangleMesh& mesh, std::int32_t from, std::int32_t to);
-  /// A lower bound of threshold over all planes, for skipping: 0 where none is cheap to have.
-  double least_threshold(double scale) const;
-
-  /// Keeps the list of tips up to date; call for every node whose star changed.
-  void node_changed(const TriangleMesh& mesh, std::int32_t v);
+  /// Keeps the list of tips up to date; call for every node whose star changed. Returns whether v
+  /// was a tip and is no longer.
+  bool node_changed(const TriangleMesh& mesh, std::int32_t v);
 
  private:
-  bool in_process_zone(const TriangleMesh& mesh, std::int32_t v) const;
+  std::int32_t tip_near(const TriangleMesh& mesh, std::int32_t v) const;
   std::uint64_t cell_of(const Vec3& p, int dx, int dy, int dz) const;
 
   MaterialParameters material_;

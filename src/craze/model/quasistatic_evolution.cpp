@@ -12,10 +12,8 @@ namespace {
 
 // The largest force left on a node at a crack decision, as part of the force at which nodes fail.
 constexpr double relative_residual = 5e-3;
-// A node is looked at again when the forces on it have changed by this part of the same.
-constexpr double relative_change = 1e-2;
 // A change is first solved for within this many screening lengths; what leaks out is followed.
-constexpr double patch_radius = 2.0;
+constexpr double patch_radius = 6.0;
 // Failing nodes farther apart than this many screening lengths are cracked in one step.
 constexpr double independence = 6.0;
 
@@ -55,7 +53,7 @@ QuasistaticEvolution::QuasistaticEvolution(const TriangleMesh& mesh,
     : parameters_(parameters.evolution),
       failure_force_(failure_force(mesh, parameters.material)),
       independence_(independence * parameters.layer.screening_length),
-      equilibrium_({adhesion(parameters.layer), 0, 0,
+      equilibrium_({adhesion(parameters.layer), 0,
                     patch_radius * parameters.layer.screening_length, longest_edge(mesh)}) {
   equilibrium_.fixed = inputs.fixed;
 }
@@ -72,7 +70,7 @@ void QuasistaticEvolution::evolve(StressField& field, const TriangleMesh& mesh, 
     accurate_up_to_ = load_ > 0 ? std::min(accuracy_step * load_, 2 * parameters_.max_load)
                                 : parameters_.max_load;
     const double failure_force = failure_force_ / accurate_up_to_;
-    equilibrium_.set_tolerance(relative_residual * failure_force, relative_change * failure_force);
+    equilibrium_.set_tolerance(relative_residual * failure_force);
     seeds_.resize(mesh.vertex_count());
     std::iota(seeds_.begin(), seeds_.end(), 0);
   }

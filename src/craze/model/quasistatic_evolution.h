@@ -19,6 +19,9 @@ class QuasistaticEvolution : public Evolution {
   void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) override;
   void evolve(StressField& field, const TriangleMesh& mesh, int threads,
               std::vector<std::int32_t>& changed) override;
+  double allow_drift(std::int32_t v, double force) override {
+    return equilibrium_.allow_drift(v, force);
+  }
   bool advance(double needed) override;
   double load() const override { return load_; }
   double highest_load() const override { return parameters_.max_load; }

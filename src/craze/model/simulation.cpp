@@ -7,8 +7,8 @@
 #include <string>
 
 #include "craze/base/error.h"
-#include "craze/base/parallel.h"
 #include "craze/model/screening.h"
+#include "craze/model/separation_tensor.h"
 
 namespace craze {
 
@@ -30,10 +30,6 @@ class Stopwatch {
 
 // Nodes cracked in one step at most.
 constexpr std::int64_t largest_batch = 64;
-// A node that could not open on a plane is tried again when the plane has turned this much.
-constexpr double arrest_cosine = 0.98;
-// Keeps v⁺ over the threshold finite where the surface has no toughness at all.
-constexpr double least_scale = 1e-100;
 
 void check_size(std::size_t size, std::size_t expected, const char* name) {
   if (size != 0 && size != expected) {
@@ -64,7 +60,7 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
       fields_(std::move(fields)),
       mesh_(std::move(mesh)),
       field_(mesh_, engine_singular_value_cap(mesh_, running_engine(parameters_))),
-      criterion_(parameters_.material, process_zone(parameters_.material, parameters_.layer)) {
+      watch_(parameters_) {
   const auto faces = static_cast<std::size_t>(mesh_.face_count());
   check_size(fields_.stress.size(), faces, "stress");
   check_size(fields_.growth.size(), faces, "growth");
@@ -120,9 +116,10 @@ bool Simulation::can_continue(const Context& context) {
   if (context.is_cancelled()) return stop(StopReason::cancelled);
   if (limit > 0 && events_ >= limit) return stop(StopReason::max_cracks);
   if (evolution_->reached_max_load()) return stop(StopReason::max_load);
-  if (!queue_.empty() && fails_now(queue_.top())) return true;
+  const std::int32_t next = watch_.next(scene());
+  if (next >= 0 && fails_now(next)) return true;
   const double needed =
-      queue_.empty() ? std::numeric_limits<double>::infinity() : 1 / queue_.measure(queue_.top());
+      next >= 0 ? 1 / watch_.measure(next) : std::numeric_limits<double>::infinity();
   if (evolution_->advance(needed)) return true;
   return stop(evolution_->reached_max_load() ? StopReason::max_load : StopReason::equilibrium);
 }
@@ -130,7 +127,7 @@ bool Simulation::can_continue(const Context& context) {
 bool Simulation::fails_now(std::int32_t v) const {
   // advance() raises the load to 1 / measure, rounded.
   constexpr double rounding = 1e-12;
-  return queue_.measure(v) * evolution_->load() >= 1 - rounding;
+  return watch_.measure(v) * evolution_->load() >= 1 - rounding;
 }
 
 void Simulation::crack_mesh() {
@@ -141,22 +138,23 @@ void Simulation::crack_mesh() {
   const std::int64_t most =
       parameters_.engine == Engine::euler ? parameters_.evolution.cracks_per_step : largest_batch;
   std::vector<Vec3> taken;
-  std::vector<std::pair<std::int32_t, double>> waiting;
+  std::vector<std::int32_t> waiting;
   std::int64_t cracked = 0;
-  while (cracked < most && !queue_.empty() && fails_now(queue_.top())) {
+  while (cracked < most) {
     if (const std::int64_t limit = parameters_.evolution.max_cracks;
         limit > 0 && events_ >= limit) {
       break;
     }
-    const std::int32_t v = queue_.top();
+    const std::int32_t v = watch_.next(scene());
+    if (v < 0 || !fails_now(v)) break;
     const Vec3 position = mesh_.position(v);
     const bool independent = std::all_of(taken.begin(), taken.end(), [&](const Vec3& p) {
       return (p - position).squaredNorm() >= apart * apart;
     });
     if (!independent) {
       if (apart == std::numeric_limits<double>::infinity()) break;
-      waiting.emplace_back(v, queue_.measure(v));
-      queue_.remove(v);
+      waiting.push_back(v);
+      watch_.set_aside(v);
       taken.push_back(position);
       continue;
     }
@@ -165,40 +163,24 @@ void Simulation::crack_mesh() {
       taken.push_back(position);
     }
   }
-  for (const auto& [v, measure] : waiting) queue_.set(v, measure);
+  for (const std::int32_t v : waiting) watch_.take_back(v);
 }
 
 bool Simulation::crack_at(std::int32_t v) {
   const CrackRules rules{parameters_.crack.snap_angle * std::numbers::pi / 180,
                          parameters_.crack.back_angle * std::numbers::pi / 180};
-  const Failure failure = failing_[v];
+  const Failure failure = watch_.failure(v);
   open_crack(mesh_, field_, v, failure.normal, rules, static_cast<std::int32_t>(segments()),
              outcome_);
-  queue_.remove(v);
-  residuals_.erase(v);
   if (outcome_.empty()) {
-    arrested_[v] = failure.normal;
+    watch_.could_not_open(v);
     return false;
   }
   for (const CrackSegment& s : outcome_.segments) {
     segments_.push_back({s, evolution_->time(), static_cast<std::int32_t>(events_)});
   }
   ++events_;
-
-  // [IO06 Eq. 8] The residual v* = v⁺ − τ drives the new tips on.
-  const double excess = (failure.measure * evolution_->load() - 1) * failure.threshold;
-  for (const std::int32_t tip : outcome_.tips) {
-    Sym3 residual;
-    add_outer(residual, parameters_.material.alpha * excess, failure.normal);
-    residuals_[tip] = residual;
-    criterion_.tip_advanced(mesh_, v, tip);
-  }
-  for (const std::int32_t n : outcome_.changed_nodes) {
-    changed_.push_back(n);
-    arrested_.erase(n);
-    queue_.remove(n);
-    criterion_.node_changed(mesh_, n);
-  }
+  watch_.opened(scene(), v, outcome_, changed_);
   hold_new_nodes();
   evolution_->mesh_changed(mesh_, outcome_);
   return true;
@@ -227,75 +209,12 @@ void Simulation::evolve(const Context& context) {
 
 void Simulation::update_failure_criteria(const Context& context) {
   const Stopwatch watch(times_.separation);
-  failing_.resize(mesh_.vertex_count());
-  std::sort(changed_.begin(), changed_.end());
-  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-  parallel_for(context.threads, changed_.size(), 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) evaluate(changed_[i]);
-  });
-  for (const std::int32_t v : changed_) {
-    queue_.set(v, failing_[v].measure);
-    // A tip that does not fail has stopped: its residual is spent.
-    if (!fails_now(v)) residuals_.erase(v);
-  }
+  watch_.look_at(scene(), changed_, context.threads);
   changed_.clear();
 }
 
-void Simulation::evaluate(std::int32_t v) {
-  failing_[v] = {};
-  const double scale = std::max(least_scale, scale_at(fields_.toughness_scale, v));
-  const double highest = evolution_->highest_load(), load = evolution_->load();
-  const double weight = scale_at(fields_.separation_scale, v);
-  const SeparationTensor separation = separation_tensor(mesh_, field_, v);
-  const auto residual = residuals_.find(v);
-  const bool has_residual = residual != residuals_.end() && load > 0;
-  if (!has_residual && weight * separation.bound * highest <= criterion_.least_threshold(scale)) {
-    return;
-  }
-  Sym3 tensor = weight * separation.tensor;
-  if (!fields_.preferred.empty()) {
-    const std::int32_t f = mesh_.first_halfedge(v) / 3;
-    tensor =
-        bias_direction(tensor, fields_.preferred[mesh_.source_face(f)], parameters_.material.bias);
-  }
-  Failure failure;
-  // A tip with a residual fails with its help now, or without it later.
-  if (has_residual) {
-    Sym3 driven = tensor;
-    driven += (1 / load) * residual->second;
-    failure = failure_of(v, driven, scale);
-    if (!(failure.measure * load > 1)) failure.measure = 0;
-  }
-  if (failure.measure == 0) failure = failure_of(v, tensor, scale);
-  if (!(failure.measure * highest > 1)) return;
-  const auto arrested = arrested_.find(v);
-  if (arrested != arrested_.end() &&
-      std::abs(arrested->second.dot(failure.normal)) > arrest_cosine) {
-    return;
-  }
-  failing_[v] = failure;
-}
-
-Simulation::Failure Simulation::failure_of(std::int32_t v, const Sym3& separation,
-                                           double scale) const {
-  const Eigenpair pair = largest_eigenpair(separation);
-  if (!(pair.value > 0)) return {};
-  const double threshold = criterion_.threshold(mesh_, field_, v, pair, scale);
-  return {threshold > 0 ? pair.value / threshold : 0, threshold, pair.vector};
-}
-
-double Simulation::scale_at(const std::vector<double>& per_face, std::int32_t v) const {
-  if (per_face.empty()) return 1;
-  double sum = 0, count = 0;
-  mesh_.for_each_outgoing(v, [&](std::int32_t h) {
-    sum += per_face[mesh_.source_face(h / 3)];
-    ++count;
-  });
-  return count > 0 ? sum / count : 1;
-}
-
 Sym3 Simulation::separation(std::int32_t v) const {
-  return scale_at(fields_.separation_scale, v) * separation_tensor(mesh_, field_, v).tensor;
+  return mean_factor(mesh_, fields_.separation_scale, v) * separation_tensor(mesh_, field_, v).tensor;
 }
 
 std::vector<double> Simulation::crack_times() const {

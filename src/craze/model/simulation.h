@@ -3,34 +3,19 @@
 
 #include <cstdint>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 #include "craze/base/context.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/crack_insertion.h"
 #include "craze/model/crack_network.h"
-#include "craze/model/direction_bias.h"
 #include "craze/model/evolution.h"
-#include "craze/model/failure_criterion.h"
-#include "craze/model/failure_queue.h"
+#include "craze/model/failure_watch.h"
 #include "craze/model/parameters.h"
-#include "craze/model/separation_tensor.h"
+#include "craze/model/simulation_fields.h"
 #include "craze/model/stress_field.h"
 
 namespace craze {
-
-/// What varies over the surface, one value per face of the mesh that the simulation starts with.
-/// Faces made later look their values up by TriangleMesh::source_face. Empty: not given.
-struct SimulationFields {
-  std::vector<Sym3> stress;              ///< σ₀, world axes, force/length
-  std::vector<Sym3> growth;              ///< added to σ per step besides the shrinkage
-  std::vector<double> toughness_scale;   ///< factor on τ and strength, ≥ 0; ∞: never fails
-  std::vector<double> separation_scale;  ///< factor on ς, ≥ 0 (Figs. 4 and 10)
-  std::vector<double> adhesion_scale;    ///< factor on κ, ≥ 0
-  std::vector<PreferredDirection> preferred;  ///< which way cracks like to run (Fig. 2)
-  std::vector<char> fixed;                    ///< per vertex: 1 where the surface is held
-};
 
 enum class StopReason {
   equilibrium,  ///< nothing moves and nothing can fail any more
@@ -82,36 +67,24 @@ class Simulation {
     std::int32_t event;
   };
 
-  struct Failure {
-    double measure = 0;    // v⁺ at load 1 over the threshold; 0: cannot fail
-    double threshold = 0;  // force
-    Vec3 normal = Vec3::Zero();
-  };
-
   bool can_continue(const Context& context);
   bool fails_now(std::int32_t v) const;
+  FailureWatch::Scene scene() { return {mesh_, field_, fields_, *evolution_}; }
   void crack_mesh();
   bool crack_at(std::int32_t v);
   void hold_new_nodes();
   void evolve(const Context& context);
   void update_failure_criteria(const Context& context);
-  void evaluate(std::int32_t v);
-  Failure failure_of(std::int32_t v, const Sym3& separation, double scale) const;
-  double scale_at(const std::vector<double>& per_face, std::int32_t v) const;
 
   SimulationParameters parameters_;
   SimulationFields fields_;
   TriangleMesh mesh_;
   StressField field_;
   std::unique_ptr<Evolution> evolution_;
-  FailureCriterion criterion_;
-  FailureQueue queue_;  // by v⁺ at load 1 over the threshold
+  FailureWatch watch_;
   CrackOutcome outcome_;
 
   std::vector<Segment> segments_;
-  std::unordered_map<std::int32_t, Sym3> residuals_;  // Eq. 8, of live tips
-  std::unordered_map<std::int32_t, Vec3> arrested_;   // planes on which a node could not open
-  std::vector<Failure> failing_;                      // #V
   std::vector<std::int32_t> changed_;                 // nodes to be evaluated again
 
   std::int64_t events_ = 0;

@@ -1,0 +1,106 @@
+#include "craze/model/tangent_stiffness.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace craze {
+
+namespace {
+
+// What a new row has room for beyond its first neighbours, so that a split nearby fits in.
+constexpr std::int32_t spare_blocks = 2;
+
+}  // namespace
+
+PlaneBasis::PlaneBasis(const Vec3& n) {
+  const double sign = std::copysign(1.0, n.z());
+  const double s = -1 / (sign + n.z()), t = n.x() * n.y() * s;
+  a = {1 + sign * n.x() * n.x() * s, sign * t, -sign * n.x()};
+  b = {t, sign + n.y() * n.y() * s, -n.y()};
+}
+
+void TangentStiffness::assemble(const TriangleMesh& mesh, const StressField& field) {
+  rows_.assign(mesh.vertex_count(), {});
+  columns_.clear();
+  blocks_.clear();
+  // A closed surface has six edges a node.
+  constexpr std::size_t typical_row = 7 + spare_blocks;
+  columns_.reserve(typical_row * mesh.vertex_count());
+  blocks_.reserve(typical_row * mesh.vertex_count());
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) assemble_row(mesh, field, v);
+}
+
+void TangentStiffness::update(const TriangleMesh& mesh, const StressField& field,
+                              const std::vector<std::int32_t>& nodes) {
+  rows_.resize(mesh.vertex_count());
+  touched_.clear();
+  for (const std::int32_t v : nodes) {
+    touched_.push_back(v);
+    mesh.for_each_outgoing(v, [&](std::int32_t h) {
+      touched_.push_back(mesh.to(h));
+      touched_.push_back(mesh.from(TriangleMesh::prev(h)));
+    });
+  }
+  std::sort(touched_.begin(), touched_.end());
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  for (const std::int32_t v : touched_) assemble_row(mesh, field, v);
+}
+
+void TangentStiffness::assemble_row(const TriangleMesh& mesh, const StressField& field,
+                                    std::int32_t v) {
+  const PlaneBasis basis(field.normals()[v]);
+  const double mass = adhesion_ * field.node_areas()[v];
+  row_columns_.assign(1, v);
+  row_blocks_.assign(1, {mass, 0, 0, mass});
+  mesh.for_each_outgoing(v, [&](std::int32_t h) {
+    // g_a = Σ_b N_ab e_b = √√A ∇λ_a, and K_ab = ½ (g_b g_aᵀ + (g_a·g_b) P), P the projection on the
+    // element's plane: Eqs. 6, 7 and 1 put together.
+    const Element& e = field.elements()[h / 3];
+    const Vec3 g1 = e.e1[3] * e.edge1() + e.e2[3] * e.edge2();
+    const Vec3 g2 = e.e2[3] * e.edge1() + e.t[3] * e.edge2();
+    const Vec3 g[3] = {-g1 - g2, g1, g2};
+    const Vec3 normal = g1.cross(g2);
+    const double squared = normal.squaredNorm();
+    if (!(squared > 0)) return;
+    const Vec3& ga = g[h % 3];
+    for (int k = 0; k < 3; ++k) {
+      const int corner = (h + k) % 3;
+      const std::int32_t n = mesh.triangle(h / 3)[corner];
+      const PlaneBasis other(field.normals()[n]);
+      const Vec3& gb = g[corner];
+      const double c = ga.dot(gb);
+      const auto entry = [&](const Vec3& mine, const Vec3& its) {
+        const double projected =
+            mine.dot(its) - mine.dot(normal) * normal.dot(its) / squared;
+        return 0.5 * (mine.dot(gb) * ga.dot(its) + c * projected);
+      };
+      const std::array<double, 4> block = {entry(basis.a, other.a), entry(basis.b, other.a),
+                                           entry(basis.a, other.b), entry(basis.b, other.b)};
+      const auto found = std::find(row_columns_.begin(), row_columns_.end(), n);
+      const auto slot = static_cast<std::size_t>(found - row_columns_.begin());
+      if (found == row_columns_.end()) {
+        row_columns_.push_back(n);
+        row_blocks_.push_back(block);
+      } else {
+        for (int i = 0; i < 4; ++i) row_blocks_[slot][i] += block[i];
+      }
+    }
+  });
+
+  Extent& extent = rows_[v];
+  const auto count = static_cast<std::int32_t>(row_columns_.size());
+  if (count > extent.capacity) {
+    extent.begin = static_cast<std::int64_t>(columns_.size());
+    extent.capacity = count + spare_blocks;
+    columns_.resize(columns_.size() + extent.capacity, -1);
+    blocks_.resize(blocks_.size() + extent.capacity);
+  }
+  extent.count = count;
+  for (std::int32_t i = 0; i < count; ++i) {
+    columns_[extent.begin + i] = row_columns_[i];
+    Vec4f& block = blocks_[extent.begin + i];
+    for (int k = 0; k < 4; ++k) block[k] = static_cast<float>(row_blocks_[i][k]);
+  }
+}
+
+}  // namespace craze

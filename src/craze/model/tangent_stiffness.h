@@ -1,0 +1,67 @@
+// The stiffness of the layer for displacements in its tangent planes, row by row.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "craze/base/simd.h"
+#include "craze/base/tensor.h"
+#include "craze/mesh/triangle_mesh.h"
+#include "craze/model/stress_field.h"
+
+namespace craze {
+
+/// The columns a and b of a 3x2 orthonormal basis of the plane square to a unit normal; a function
+/// of the normal alone (Duff et al. 2017, "Building an orthonormal basis, revisited").
+struct PlaneBasis {
+  explicit PlaneBasis(const Vec3& normal);
+  Vec3 a, b;
+};
+
+/// K + κ M, K = Σ A BᵀB, with two unknowns a node: the components of its displacement in the
+/// PlaneBasis of its normal. The operator of the equilibrium (equilibrium.h), kept assembled, since
+/// a crack changes a few rows and many solves read the rest. Single precision: it only has to say
+/// which correction to make; what is left afterwards is computed from the forces themselves.
+/// About 160 bytes a node.
+class TangentStiffness {
+ public:
+  /// One row of 2x2 blocks, column-major (k00 k10 k01 k11). The first entry is the diagonal.
+  struct Row {
+    const std::int32_t* columns;  ///< node of each block
+    const Vec4f* blocks;
+    std::int32_t count;
+  };
+
+  /// adhesion: κ, 1/length².
+  explicit TangentStiffness(double adhesion) : adhesion_(adhesion) {}
+
+  bool empty() const { return rows_.empty(); }
+  void assemble(const TriangleMesh& mesh, const StressField& field);
+  /// Assembles the rows of all corners of the faces around these nodes again. Nodes that are new
+  /// must be among them.
+  void update(const TriangleMesh& mesh, const StressField& field,
+              const std::vector<std::int32_t>& nodes);
+
+  Row row(std::int32_t v) const {
+    const Extent& extent = rows_[v];
+    return {columns_.data() + extent.begin, blocks_.data() + extent.begin, extent.count};
+  }
+
+ private:
+  struct Extent {
+    std::int64_t begin = 0;
+    std::int32_t count = 0, capacity = 0;
+  };
+
+  void assemble_row(const TriangleMesh& mesh, const StressField& field, std::int32_t v);
+
+  double adhesion_;
+  std::vector<Extent> rows_;  // #V
+  std::vector<std::int32_t> columns_;
+  std::vector<Vec4f> blocks_;
+  std::vector<std::int32_t> touched_;          // of update
+  std::vector<std::int32_t> row_columns_;      // of assemble_row
+  std::vector<std::array<double, 4>> row_blocks_;
+};
+
+}  // namespace craze
