@@ -11,6 +11,13 @@
 
 namespace craze {
 
+int thread_count(int threads) {
+#ifndef __EMSCRIPTEN__
+  if (threads == 0) return std::max(1, tbb::this_task_arena::max_concurrency());
+#endif
+  return std::max(1, threads);
+}
+
 void parallel_for(int threads, std::size_t n, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body) {
   const std::size_t chunks = (n + grain - 1) / grain;

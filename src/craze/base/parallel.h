@@ -6,6 +6,9 @@
 
 namespace craze {
 
+/// The number of threads that `threads` stands for: itself, or one per core where it is 0.
+int thread_count(int threads);
+
 /// Runs body(begin, end) over [0, n) in chunks of exactly `grain` (the last one shorter). The
 /// chunks do not depend on the number of threads, so a body that writes only to its own indices,
 /// or to one slot per chunk, gives the same result on any number. threads = 0: one per core;

@@ -1,6 +1,9 @@
 #include "craze/model/equilibrium.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "craze/base/parallel.h"
 
@@ -31,101 +34,144 @@ double Equilibrium::allow_drift(std::int32_t v, double force) {
 void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
                           const std::vector<std::int32_t>& changed, int threads,
                           std::vector<std::int32_t>& moved) {
-  mark_.resize(mesh.vertex_count(), -1);
   drift_.resize(mesh.vertex_count(), 0);
   allowed_.resize(mesh.vertex_count(), 0);
+  slot_.resize(mesh.vertex_count(), -1);
   if (stiffness_.empty()) {
     stiffness_.assemble(mesh, field);
   } else if (static_cast<std::int32_t>(changed.size()) < mesh.vertex_count()) {
     stiffness_.update(mesh, field, changed);
   }
-  const LayerState layer{mesh, field, stiffness_, fixed, options_.adhesion};
+  const LayerState layer{mesh, field, stiffness_, fixed, options_.adhesion, options_.tolerance};
   const double allowed = options_.tolerance * options_.tolerance;
   std::vector<std::int32_t> open;
   for (const std::int32_t v : changed) {
     if (squared_residual(layer, v) > 0.25 * allowed) open.push_back(v);
   }
-  for (double radius = options_.radius; !open.empty(); radius *= 1.5) {
-    cluster_seeds(mesh, open, 2 * (radius + options_.longest_edge));
-    parallel_for(threads, patch_count_, 1, [&](std::size_t i, std::size_t) {
-      Patch& patch = patches_[i];
-      patch.solver.solve(layer, patch.seeds, options_.tolerance, radius, mark_);
-      apply(field, layer, patch);
-    });
-    // Whatever a patch pushed out over its rim is a change there: go on from it.
+  while (!open.empty()) {
+    cluster(mesh, open);
+    solve(layer, threads);
+    apply(field, layer, threads);
     open.clear();
     for (std::size_t i = 0; i < patch_count_; ++i) {
       const PatchSolver& solver = patches_[i].solver;
       iterations_ += solver.iterations();
       // A triangulated surface has two faces a node.
       element_updates_ += 2 * solver.node_updates();
-      const auto look_at = [&](std::int32_t v, bool may_be_open) {
+      // Where answers overlap, or single precision was not enough, some more may be left to do.
+      const bool exact = patch_count_ == 1 && solver.converged();
+      for (const std::int32_t v : solver.nodes()) {
         if (drift_[v] > allowed_[v]) moved.push_back(v);
-        if (may_be_open && squared_residual(layer, v) > allowed) open.push_back(v);
-      };
-      for (const std::int32_t v : solver.nodes()) look_at(v, !solver.converged());
-      for (const std::int32_t v : solver.rim()) look_at(v, true);
-      solver.release(mark_);
+        if (!exact && squared_residual(layer, v) > allowed) open.push_back(v);
+      }
+      for (const std::int32_t v : solver.held()) {
+        if (drift_[v] > allowed_[v]) moved.push_back(v);
+      }
     }
     std::sort(open.begin(), open.end());
     open.erase(std::unique(open.begin(), open.end()), open.end());
   }
 }
 
-void Equilibrium::cluster_seeds(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds,
-                                double reach) {
-  // Seeds within reach of each other belong together: patches must not share an element. Where
-  // there are many, telling them apart costs more than it saves.
+void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds) {
+  // Where there are many, telling them apart costs more than it saves.
   constexpr std::size_t many = 1000;
+  const double reach =
+      seeds.size() > many ? std::numeric_limits<double>::infinity() : options_.reach;
+  seed_patch_.resize(mesh.vertex_count(), -1);
   patch_count_ = 0;
-  std::vector<char> taken(seeds.size(), 0);
-  std::vector<std::size_t> cluster;
-  for (std::size_t first = 0; first < seeds.size(); ++first) {
-    if (taken[first]) continue;
+  for (const std::int32_t first : seeds) {
+    if (seed_patch_[first] >= 0) continue;
+    const auto index = static_cast<std::int32_t>(patch_count_);
     if (patches_.size() == patch_count_) patches_.emplace_back();
     Patch& patch = patches_[patch_count_++];
-    patch.seeds.clear();
-    if (seeds.size() > many) {
+    if (std::isinf(reach)) {
       patch.seeds = seeds;
       return;
     }
-    cluster.assign(1, first);
-    taken[first] = 1;
-    for (std::size_t i = 0; i < cluster.size(); ++i) {
-      const Vec3& p = mesh.position(seeds[cluster[i]]);
-      patch.seeds.push_back(seeds[cluster[i]]);
-      for (std::size_t j = first + 1; j < seeds.size(); ++j) {
-        if (taken[j] || (mesh.position(seeds[j]) - p).squaredNorm() > reach * reach) continue;
-        taken[j] = 1;
-        cluster.push_back(j);
+    patch.seeds.assign(1, first);
+    seed_patch_[first] = index;
+    for (std::size_t i = 0; i < patch.seeds.size(); ++i) {
+      const Vec3& p = mesh.position(patch.seeds[i]);
+      for (const std::int32_t v : seeds) {
+        if (seed_patch_[v] >= 0 || (mesh.position(v) - p).squaredNorm() > reach * reach) continue;
+        seed_patch_[v] = index;
+        patch.seeds.push_back(v);
       }
     }
+  }
+}
+
+void Equilibrium::solve(const LayerState& layer, int threads) {
+  const std::size_t workers =
+      std::min(patch_count_, static_cast<std::size_t>(thread_count(threads)));
+  if (marks_.size() < workers) marks_.resize(workers);
+  parallel_for(threads, workers, 1, [&](std::size_t worker, std::size_t) {
+    std::vector<std::int32_t>& mark = marks_[worker];
+    mark.resize(layer.mesh.vertex_count(), -1);
+    for (std::size_t i = worker; i < patch_count_; i += workers) {
+      Patch& patch = patches_[i];
+      patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), seed_patch_, mark);
+    }
+  });
+  for (std::size_t i = 0; i < patch_count_; ++i) {
+    for (const std::int32_t v : patches_[i].seeds) seed_patch_[v] = -1;
+  }
+}
+
+void Equilibrium::apply(StressField& field, const LayerState& layer, int threads) {
+  // Patches that share no node are applied at the same time, the others after each other.
+  group_.resize(layer.mesh.vertex_count(), 0);
+  std::vector<std::size_t> waiting(patch_count_), together, rest;
+  std::iota(waiting.begin(), waiting.end(), std::size_t{0});
+  while (!waiting.empty()) {
+    ++groups_;
+    together.clear();
+    rest.clear();
+    for (const std::size_t i : waiting) {
+      const PatchSolver& solver = patches_[i].solver;
+      const auto is_taken = [&](std::int32_t v) { return group_[v] == groups_; };
+      const bool apart = std::none_of(solver.nodes().begin(), solver.nodes().end(), is_taken) &&
+                         std::none_of(solver.held().begin(), solver.held().end(), is_taken);
+      (apart ? together : rest).push_back(i);
+      if (!apart) continue;
+      for (const std::int32_t v : solver.nodes()) group_[v] = groups_;
+      for (const std::int32_t v : solver.held()) group_[v] = groups_;
+    }
+    parallel_for(threads, together.size(), 1,
+                 [&](std::size_t i, std::size_t) { apply(field, layer, patches_[together[i]]); });
+    waiting = rest;
   }
 }
 
 void Equilibrium::apply(StressField& field, const LayerState& layer, Patch& patch) {
   const PatchSolver& solver = patch.solver;
   const std::int32_t active = solver.active();
+  // A node that has moved keeps its index in `slot_` meanwhile.
   patch.displacements.resize(active);
   for (std::int32_t i = 0; i < active; ++i) {
     const Vec3 d = solver.displacement(layer, i);
     patch.displacements[i].v = Vec4d::Lanes{d.x(), d.y(), d.z(), 0};
     field.displacements()[solver.nodes()[i]].v += patch.displacements[i].v;
+    slot_[solver.nodes()[i]] = i;
   }
-  // A face belongs to the first of its nodes.
-  const auto moved = [&](std::int32_t v) { return mark_[v] >= 0 && mark_[v] < active; };
-  for (std::int32_t i = 0; i < active; ++i) {
-    layer.mesh.for_each_outgoing(solver.nodes()[i], [&](std::int32_t h) {
-      const Triangle& corners = layer.mesh.triangle(h / 3);
+  const auto displace_own_faces = [&](std::int32_t v) {
+    for (const std::int32_t f : stiffness_.own_faces(v)) {
+      const Triangle& corners = layer.mesh.triangle(f);
       Vec4d d[3];
+      bool any = false;
       for (int c = 0; c < 3; ++c) {
-        if (!moved(corners[c])) continue;
-        if (mark_[corners[c]] < i) return;
-        d[c] = patch.displacements[mark_[corners[c]]];
+        const std::int32_t i = slot_[corners[c]];
+        if (i < 0) continue;
+        d[c] = patch.displacements[i];
+        any = true;
       }
-      field.displace(h / 3, corners, d[0], d[1], d[2], drift_);
-    });
-  }
+      if (any) field.displace(f, corners, d[0], d[1], d[2], drift_);
+    }
+  };
+  for (const std::int32_t v : solver.nodes()) displace_own_faces(v);
+  for (const std::int32_t v : solver.held()) displace_own_faces(v);
+  for (std::int32_t i = 0; i < active; ++i) slot_[solver.nodes()[i]] = -1;
 }
 
 }  // namespace craze

@@ -12,10 +12,9 @@
 namespace craze {
 
 struct EquilibriumOptions {
-  double adhesion = 0;      ///< κ, 1/length²; > 0
-  double tolerance = 0;     ///< largest force left on any node, force
-  double radius = 0;        ///< of the largest neighbourhood solved around a change at once, length
-  double longest_edge = 0;  ///< of the mesh, length: keeps patches solved in parallel apart
+  double adhesion = 0;   ///< κ, 1/length²; > 0
+  double tolerance = 0;  ///< largest force left on any node, force
+  double reach = 0;      ///< changes nearer to each other than this are solved together, length
 };
 
 /// Brings a StressField into the equilibrium of Eqs. 3–7 with adhesion: F_n − κ A_n u_n = 0 for all
@@ -57,15 +56,20 @@ class Equilibrium {
     std::vector<Vec4d> displacements;  // of the solver's active nodes
   };
 
-  void cluster_seeds(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds,
-                     double reach);
+  void cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds);
+  void solve(const LayerState& layer, int threads);
+  void apply(StressField& field, const LayerState& layer, int threads);
   void apply(StressField& field, const LayerState& layer, Patch& patch);
 
   EquilibriumOptions options_;
   TangentStiffness stiffness_;
   std::vector<Patch> patches_;  // storage kept between calls
   std::size_t patch_count_ = 0;
-  std::vector<std::int32_t> mark_;  // #V: index in its patch, −1: in none
+  std::vector<std::int32_t> seed_patch_;  // #V: the patch that a node is a seed of, −1: of none
+  std::vector<std::vector<std::int32_t>> marks_;  // #V each, −1: scratch, one per thread
+  std::vector<std::int32_t> group_;  // #V: the last group of patches applied together that read it
+  std::int32_t groups_ = 0;
+  std::vector<std::int32_t> slot_;  // #V, −1: index in the patch being applied
   std::vector<double> drift_;       // #V: how much the forces changed since drift was last allowed
   std::vector<double> allowed_;     // #V: how much they may
   std::int64_t iterations_ = 0;

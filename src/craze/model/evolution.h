@@ -36,6 +36,8 @@ class Evolution {
 
   /// Factor on the stored stress.
   virtual double load() const = 0;
+  /// Load up to which failures count as happening now, where they are too far apart to interact.
+  virtual double load_of_step() const { return load(); }
   /// Factor up to which the load can still grow: nodes that fail below it stay in the queue.
   virtual double highest_load() const = 0;
   /// What a crack opening now is dated with: simulated time (euler), the load factor s

@@ -117,8 +117,7 @@ Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3&
   if (!exact) return failure;
   failure.exact = true;
   if (!(pair.value > 0)) return failure;
-  failure.threshold =
-      criterion_.threshold(scene.mesh, scene.field, v, pair, scale, failure.shield);
+  failure.threshold = criterion_.threshold(scene.mesh, scene.field, v, pair, scale, failure.shield);
   failure.measure = pair.value / failure.threshold;
   return failure;
 }
@@ -133,7 +132,8 @@ void FailureWatch::opened(const Scene& scene, std::int32_t v, const CrackOutcome
                           std::vector<std::int32_t>& changed) {
   // [IO06 Eq. 8] The residual v* = v⁺ − τ drives the new tips on.
   const Failure failure = failing_[v];
-  const double excess = (failure.measure * scene.evolution.load() - 1) * failure.threshold;
+  const double excess =
+      std::max(0.0, failure.measure * scene.evolution.load() - 1) * failure.threshold;
   queue_.remove(v);
   residuals_.erase(v);
   for (const std::int32_t tip : outcome.tips) {

@@ -72,6 +72,8 @@ struct EvolutionParameters {
   std::int64_t relaxation_steps = 1;  ///< R
   std::int64_t cracks_per_step = 1;
   double max_load = 4;
+  double load_step = 0.02;      ///< relative; failures this close count as simultaneous
+  double residual = 0.02;       ///< force left on a node over the force at which it fails
   std::int64_t max_cracks = 0;  ///< 0: no limit
 };
 

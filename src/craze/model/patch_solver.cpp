@@ -8,8 +8,8 @@ namespace craze {
 
 namespace {
 
-// In mark: a node beyond the radius.
-constexpr std::int32_t held = -2;
+// In mark.
+constexpr std::int32_t fixed_node = -2;
 
 using Lanes = Vec4f::Lanes;
 
@@ -19,7 +19,9 @@ Lanes load(const float* from) {
   return lanes;
 }
 
-void store(float* to, const Lanes& lanes) { std::memcpy(to, &lanes, sizeof(lanes)); }
+void store(float* to, const Lanes& lanes) {
+  std::memcpy(to, &lanes, sizeof(lanes));
+}
 
 /// (x0, x0, x1, x1)
 Lanes spread(const float* x) {
@@ -32,7 +34,9 @@ Lanes spread(const float* x) {
   return __builtin_shufflevector(lanes, lanes, 0, 0, 1, 1);
 }
 
-float sum(const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
+float sum(const Lanes& lanes) {
+  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
 
 /// |r|² of the two nodes, twice each.
 Lanes squared(const Lanes& r) {
@@ -40,38 +44,45 @@ Lanes squared(const Lanes& r) {
   return squares + __builtin_shufflevector(squares, squares, 1, 0, 3, 2);
 }
 
-Lanes larger(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+Lanes larger(const Lanes& a, const Lanes& b) {
+  return a > b ? a : b;
+}
 
-float largest(const Lanes& lanes) { return std::max(lanes[0], lanes[2]); }
+float largest(const Lanes& lanes) {
+  return std::max(lanes[0], lanes[2]);
+}
 
 }  // namespace
 
-void PatchSolver::join(const LayerState& layer, std::int32_t v, std::int32_t seed,
-                       std::vector<std::int32_t>& mark) {
-  mark[v] = static_cast<std::int32_t>(nodes_.size());
+void PatchSolver::join(const Task& task, std::int32_t v) {
+  task.mark[v] = static_cast<std::int32_t>(nodes_.size());
   nodes_.push_back(v);
-  origin_.push_back(seed);
-  const PlaneBasis basis(layer.field.normals()[v]);
-  const Vec3 pull = layer.pull(v) / scale_;
+  const std::int32_t owner = task.seed_patch[v];
+  if (owner >= 0 && owner != task.patch) {
+    r_.insert(r_.end(), 2, 0.0F);
+    return;
+  }
+  const PlaneBasis basis(task.layer.field.normals()[v]);
+  const Vec3 pull = task.layer.pull(v) / scale_;
   r_.push_back(static_cast<float>(basis.a.dot(pull)));
   r_.push_back(static_cast<float>(basis.b.dot(pull)));
 }
 
-void PatchSolver::load_rows(const LayerState& layer, std::vector<std::int32_t>& mark) {
+void PatchSolver::load_rows(const Task& task) {
+  std::vector<std::int32_t>& mark = task.mark;
   // The padding of the last time is no node.
   r_.resize(2 * nodes_.size());
   const auto end = static_cast<std::int32_t>(nodes_.size());
   for (std::int32_t i = loaded_; i < end; ++i) {
-    const TangentStiffness::Row row = layer.stiffness.row(nodes_[i]);
-    const Vec3& center = layer.mesh.position(origin_[i]);
+    const TangentStiffness::Row row = task.layer.stiffness.row(nodes_[i]);
     for (std::int32_t k = 0; k < row.count; ++k) {
       const std::int32_t n = row.columns[k];
-      if (mark[n] == -1 && !layer.is_fixed(n)) {
-        if ((layer.mesh.position(n) - center).squaredNorm() <= squared_radius_) {
-          join(layer, n, origin_[i], mark);
+      if (mark[n] == -1) {
+        if (task.layer.is_fixed(n)) {
+          mark[n] = fixed_node;
+          held_.push_back(n);
         } else {
-          mark[n] = held;
-          rim_.push_back(n);
+          join(task, n);
         }
       }
       if (mark[n] < 0) continue;
@@ -115,31 +126,34 @@ float PatchSolver::multiply() {
   return sum(pq);
 }
 
-void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>& seeds,
-                        double tolerance, double radius, std::vector<std::int32_t>& mark) {
-  // Residuals are counted in tolerances; solved is what is below half of one, and single precision
-  // cannot tell more than this part of the largest.
-  constexpr float solved = 0.25F, precision = 1e-10F;
-  constexpr std::int64_t most_iterations = 10'000;
-  scale_ = tolerance;
-  squared_radius_ = radius * radius;
+void PatchSolver::clear() {
   for (std::vector<float>* values :
        {&x_, &r_, &z_, &p_, &q_, &inverse_diagonal_, &inverse_off_diagonal_}) {
     values->clear();
   }
   nodes_.clear();
-  origin_.clear();
-  rim_.clear();
+  held_.clear();
   columns_.clear();
   blocks_.clear();
   row_begin_.assign(1, 0);
   active_ = loaded_ = 0;
   iterations_ = node_updates_ = 0;
+}
 
+void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>& seeds,
+                        std::int32_t patch, const std::vector<std::int32_t>& seed_patch,
+                        std::vector<std::int32_t>& mark) {
+  // Residuals are counted in tolerances; solved is what is below half of one, and single precision
+  // cannot tell more than this part of the largest.
+  constexpr float solved = 0.25F, precision = 1e-10F;
+  constexpr std::int64_t most_iterations = 10'000;
+  scale_ = layer.tolerance;
+  clear();
+  const Task task{layer, patch, seed_patch, mark};
   for (const std::int32_t v : seeds) {
-    if (mark[v] == -1 && !layer.is_fixed(v)) join(layer, v, v, mark);
+    if (mark[v] == -1 && !layer.is_fixed(v)) join(task, v);
   }
-  load_rows(layer, mark);
+  load_rows(task);
   float zr = 0, most = 0, allowed = solved;
   const auto take_in_ring = [&](float& zr_sum, float& zq_sum) {
     const std::int32_t first = active_;
@@ -149,7 +163,7 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
       zr_sum += z_[i] * r_[i];
       zq_sum += z_[i] * q_[i];
     }
-    load_rows(layer, mark);
+    load_rows(task);
   };
   const auto largest_in = [&](std::int32_t first, std::int32_t last) {
     float found = 0;
@@ -198,11 +212,8 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
     }
   }
   converged_ = !(most > solved);
-}
-
-void PatchSolver::release(std::vector<std::int32_t>& mark) const {
   for (const std::int32_t v : nodes_) mark[v] = -1;
-  for (const std::int32_t v : rim_) mark[v] = -1;
+  for (const std::int32_t v : held_) mark[v] = -1;
 }
 
 Vec3 PatchSolver::displacement(const LayerState& layer, std::int32_t i) const {

@@ -19,6 +19,7 @@ struct LayerState {
   const TangentStiffness& stiffness;
   const std::vector<char>& fixed;  ///< nodes that never move; vertices beyond it are free
   double adhesion;                 ///< κ, 1/length²
+  double tolerance;                ///< largest residual that may stay, force
 
   bool is_fixed(std::int32_t v) const {
     return v < static_cast<std::int32_t>(fixed.size()) && fixed[v] != 0;
@@ -35,20 +36,20 @@ struct LayerState {
 /// solve costs what the change needs, whatever the mesh. Storage is kept from solve to solve.
 class PatchSolver {
  public:
-  /// Solves until no residual is above half the tolerance (force), or as far as single precision
-  /// goes: converged() tells. Nodes farther than `radius` from their seed are held and listed in
-  /// rim(). `mark` (#V, −1 everywhere) is written for all nodes that are read: several solvers may
-  /// run at once on seeds more than two radii and two edges apart.
-  void solve(const LayerState& layer, const std::vector<std::int32_t>& seeds, double tolerance,
-             double radius, std::vector<std::int32_t>& mark);
-  /// Makes `mark` −1 everywhere again.
-  void release(std::vector<std::int32_t>& mark) const;
+  /// Solves until no residual is above half the tolerance, or as far as single precision goes:
+  /// converged() tells. The problem is linear, so changes in different places may be solved apart
+  /// and their answers added, however near they are, as long as each residual is in one of them:
+  /// `seed_patch` (#V) says which patch a node is a seed of (−1: none), and the residual of a node
+  /// that is another's counts as zero. `mark` (#V, −1 everywhere, and again at the end) is scratch.
+  void solve(const LayerState& layer, const std::vector<std::int32_t>& seeds, std::int32_t patch,
+             const std::vector<std::int32_t>& seed_patch, std::vector<std::int32_t>& mark);
 
-  /// Nodes read, by rings around the seeds; mark[nodes()[i]] is i.
+  /// Nodes read, by rings around the seeds.
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
   /// How many of them have moved: the first ones.
   std::int32_t active() const { return active_; }
-  const std::vector<std::int32_t>& rim() const { return rim_; }
+  /// Fixed nodes next to those.
+  const std::vector<std::int32_t>& held() const { return held_; }
   bool converged() const { return converged_; }
   /// The displacement of nodes()[i], length.
   Vec3 displacement(const LayerState& layer, std::int32_t i) const;
@@ -57,21 +58,27 @@ class PatchSolver {
   std::int64_t node_updates() const { return node_updates_; }
 
  private:
-  void join(const LayerState& layer, std::int32_t v, std::int32_t seed,
-            std::vector<std::int32_t>& mark);
-  void load_rows(const LayerState& layer, std::vector<std::int32_t>& mark);
+  struct Task {
+    const LayerState& layer;
+    std::int32_t patch;
+    const std::vector<std::int32_t>& seed_patch;
+    std::vector<std::int32_t>& mark;  // of a node read: its index in nodes_
+  };
+
+  void clear();
+  void join(const Task& task, std::int32_t v);
+  void load_rows(const Task& task);
   void activate();
   float multiply();
 
-  double scale_ = 1;         // of forces: the tolerance
-  double squared_radius_ = 0;
+  double scale_ = 1;  // of forces: the tolerance
   bool converged_ = false;
   std::int64_t iterations_ = 0, node_updates_ = 0;
 
   // Of the nodes, [0, active_) may move, [active_, loaded_) is the ring whose residual is watched,
   // and those after are its neighbours.
   std::int32_t active_ = 0, loaded_ = 0;
-  std::vector<std::int32_t> nodes_, origin_, rim_;
+  std::vector<std::int32_t> nodes_, held_;
   std::vector<std::int32_t> row_begin_, columns_;
   std::vector<Vec4f> blocks_;
   // Two numbers a node, and an even number of nodes; zero where a node is not active.

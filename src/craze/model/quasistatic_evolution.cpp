@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "craze/model/screening.h"
@@ -10,12 +11,10 @@ namespace craze {
 
 namespace {
 
-// The largest force left on a node at a crack decision, as part of the force at which nodes fail.
-constexpr double relative_residual = 5e-3;
-// A change is first solved for within this many screening lengths; what leaks out is followed.
-constexpr double patch_radius = 6.0;
-// Failing nodes farther apart than this many screening lengths are cracked in one step.
-constexpr double independence = 6.0;
+// Changes within this many screening lengths of each other are solved together.
+constexpr double reach = 1.0;
+// Failing nodes farther apart than this many screening lengths may crack in one step.
+constexpr double independence = 4.0;
 
 // Equilibrium is tightened everywhere each time the load has grown by this factor.
 constexpr double accuracy_step = 1.25;
@@ -34,17 +33,6 @@ double failure_force(const TriangleMesh& mesh, const MaterialParameters& materia
   return material.strength * width_per_edge * edges / (3 * std::max(1, mesh.face_count()));
 }
 
-double longest_edge(const TriangleMesh& mesh) {
-  double longest = 0;
-  for (const Triangle& t : mesh.triangles()) {
-    for (int i = 0; i < 3; ++i) {
-      longest =
-          std::max(longest, (mesh.position(t[i]) - mesh.position(t[(i + 1) % 3])).squaredNorm());
-    }
-  }
-  return std::sqrt(longest);
-}
-
 }  // namespace
 
 QuasistaticEvolution::QuasistaticEvolution(const TriangleMesh& mesh,
@@ -52,9 +40,10 @@ QuasistaticEvolution::QuasistaticEvolution(const TriangleMesh& mesh,
                                            const EvolutionInputs& inputs)
     : parameters_(parameters.evolution),
       failure_force_(failure_force(mesh, parameters.material)),
-      independence_(independence * parameters.layer.screening_length),
-      equilibrium_({adhesion(parameters.layer), 0,
-                    patch_radius * parameters.layer.screening_length, longest_edge(mesh)}) {
+      equilibrium_({adhesion(parameters.layer), 0, reach * parameters.layer.screening_length}),
+      independence_(parameters.evolution.load_step > 0
+                        ? independence * parameters.layer.screening_length
+                        : std::numeric_limits<double>::infinity()) {
   equilibrium_.fixed = inputs.fixed;
 }
 
@@ -70,7 +59,7 @@ void QuasistaticEvolution::evolve(StressField& field, const TriangleMesh& mesh, 
     accurate_up_to_ = load_ > 0 ? std::min(accuracy_step * load_, 2 * parameters_.max_load)
                                 : parameters_.max_load;
     const double failure_force = failure_force_ / accurate_up_to_;
-    equilibrium_.set_tolerance(relative_residual * failure_force);
+    equilibrium_.set_tolerance(parameters_.residual * failure_force);
     seeds_.resize(mesh.vertex_count());
     std::iota(seeds_.begin(), seeds_.end(), 0);
   }

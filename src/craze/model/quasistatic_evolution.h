@@ -24,6 +24,7 @@ class QuasistaticEvolution : public Evolution {
   }
   bool advance(double needed) override;
   double load() const override { return load_; }
+  double load_of_step() const override { return (1 + parameters_.load_step) * load_; }
   double highest_load() const override { return parameters_.max_load; }
   double time() const override { return load_; }
   double independence_distance() const override { return independence_; }
@@ -34,8 +35,8 @@ class QuasistaticEvolution : public Evolution {
  private:
   EvolutionParameters parameters_;
   double failure_force_;
-  double independence_;
   Equilibrium equilibrium_;
+  double independence_;
   std::vector<std::int32_t> seeds_;
   double load_ = 0;
   double accurate_up_to_ = 0;

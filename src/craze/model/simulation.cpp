@@ -127,13 +127,13 @@ bool Simulation::can_continue(const Context& context) {
 bool Simulation::fails_now(std::int32_t v) const {
   // advance() raises the load to 1 / measure, rounded.
   constexpr double rounding = 1e-12;
-  return watch_.measure(v) * evolution_->load() >= 1 - rounding;
+  return watch_.measure(v) * evolution_->load_of_step() >= 1 - rounding;
 }
 
 void Simulation::crack_mesh() {
   const Stopwatch watch(times_.crack);
   // Nodes that fail far from each other do not interact: they crack in one step. A node too close
-  // to one that is already taken keeps its place in the queue, and its own surroundings with it.
+  // to one that is already taken keeps its place in the queue.
   const double apart = evolution_->independence_distance();
   const std::int64_t most =
       parameters_.engine == Engine::euler ? parameters_.evolution.cracks_per_step : largest_batch;
@@ -214,7 +214,8 @@ void Simulation::update_failure_criteria(const Context& context) {
 }
 
 Sym3 Simulation::separation(std::int32_t v) const {
-  return mean_factor(mesh_, fields_.separation_scale, v) * separation_tensor(mesh_, field_, v).tensor;
+  return mean_factor(mesh_, fields_.separation_scale, v) *
+         separation_tensor(mesh_, field_, v).tensor;
 }
 
 std::vector<double> Simulation::crack_times() const {

@@ -85,7 +85,7 @@ class Simulation {
   CrackOutcome outcome_;
 
   std::vector<Segment> segments_;
-  std::vector<std::int32_t> changed_;                 // nodes to be evaluated again
+  std::vector<std::int32_t> changed_;  // nodes to be evaluated again
 
   std::int64_t events_ = 0;
   StopReason stop_ = StopReason::equilibrium;

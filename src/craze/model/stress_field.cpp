@@ -93,12 +93,14 @@ void StressField::displace(std::int32_t f, const Triangle& corners, const Vec4d&
   const ElementResponse response = element_response(elements_[f], u1.v - u0.v, u2.v - u0.v);
   response.add_stress_to(elements_[f]);
   const Vec4d::Lanes changes[3] = {response.f1 + response.f2, -response.f1, -response.f2};
+  // Of three forces that sum to zero none has more than two thirds of the sum of squares.
+  const Vec4d::Lanes squares =
+      changes[0] * changes[0] + changes[1] * changes[1] + changes[2] * changes[2];
+  const double most = std::sqrt(2.0 / 3.0 * (squares[0] + squares[1] + squares[2]));
   for (int c = 0; c < 3; ++c) {
-    const Vec4d::Lanes& change = changes[c];
-    forces_[corners[c]].v += change;
+    forces_[corners[c]].v += changes[c];
     forces_[corners[c]][3] = 0;
-    drift[corners[c]] +=
-        std::sqrt(change[0] * change[0] + change[1] * change[1] + change[2] * change[2]);
+    drift[corners[c]] += most;
   }
 }
 

@@ -63,8 +63,8 @@ class StressField {
   void update_forces(const TriangleMesh& mesh);
 
   /// [IO06 Eqs. 6, 7] Adds to σ of a face what virtual displacements of its corners make of it, and
-  /// the change of Eq. 1's forces to the corners. The sizes of those three changes are added to
-  /// `drift` (#V): no eigenvalue of ς changes by more than its node's share.
+  /// the change of Eq. 1's forces to the corners. A bound of the sizes of those three changes
+  /// is added to `drift` (#V): no eigenvalue of ς changes by more than its node's sum.
   void displace(std::int32_t f, const Triangle& corners, const Vec4d& u0, const Vec4d& u1,
                 const Vec4d& u2, std::vector<double>& drift);
 

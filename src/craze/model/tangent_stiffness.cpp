@@ -22,10 +22,12 @@ PlaneBasis::PlaneBasis(const Vec3& n) {
 void TangentStiffness::assemble(const TriangleMesh& mesh, const StressField& field) {
   rows_.assign(mesh.vertex_count(), {});
   columns_.clear();
+  faces_.clear();
   blocks_.clear();
   // A closed surface has six edges a node.
   constexpr std::size_t typical_row = 7 + spare_blocks;
   columns_.reserve(typical_row * mesh.vertex_count());
+  faces_.reserve(typical_row * mesh.vertex_count());
   blocks_.reserve(typical_row * mesh.vertex_count());
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) assemble_row(mesh, field, v);
 }
@@ -70,8 +72,7 @@ void TangentStiffness::assemble_row(const TriangleMesh& mesh, const StressField&
       const Vec3& gb = g[corner];
       const double c = ga.dot(gb);
       const auto entry = [&](const Vec3& mine, const Vec3& its) {
-        const double projected =
-            mine.dot(its) - mine.dot(normal) * normal.dot(its) / squared;
+        const double projected = mine.dot(its) - mine.dot(normal) * normal.dot(its) / squared;
         return 0.5 * (mine.dot(gb) * ga.dot(its) + c * projected);
       };
       const std::array<double, 4> block = {entry(basis.a, other.a), entry(basis.b, other.a),
@@ -93,9 +94,15 @@ void TangentStiffness::assemble_row(const TriangleMesh& mesh, const StressField&
     extent.begin = static_cast<std::int64_t>(columns_.size());
     extent.capacity = count + spare_blocks;
     columns_.resize(columns_.size() + extent.capacity, -1);
+    faces_.resize(faces_.size() + extent.capacity, -1);
     blocks_.resize(blocks_.size() + extent.capacity);
   }
   extent.count = count;
+  extent.faces = 0;
+  mesh.for_each_outgoing(v, [&](std::int32_t h) {
+    const Triangle& t = mesh.triangle(h / 3);
+    if (v <= t[0] && v <= t[1] && v <= t[2]) faces_[extent.begin + extent.faces++] = h / 3;
+  });
   for (std::int32_t i = 0; i < count; ++i) {
     columns_[extent.begin + i] = row_columns_[i];
     Vec4f& block = blocks_[extent.begin + i];

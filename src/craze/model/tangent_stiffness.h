@@ -32,6 +32,14 @@ class TangentStiffness {
     std::int32_t count;
   };
 
+  /// Faces of which a node has the lowest index of the three: each face is in one such list.
+  struct Faces {
+    const std::int32_t* first;
+    std::int32_t count;
+    const std::int32_t* begin() const { return first; }
+    const std::int32_t* end() const { return first + count; }
+  };
+
   /// adhesion: κ, 1/length².
   explicit TangentStiffness(double adhesion) : adhesion_(adhesion) {}
 
@@ -46,21 +54,22 @@ class TangentStiffness {
     const Extent& extent = rows_[v];
     return {columns_.data() + extent.begin, blocks_.data() + extent.begin, extent.count};
   }
+  Faces own_faces(std::int32_t v) const { return {faces_.data() + rows_[v].begin, rows_[v].faces}; }
 
  private:
   struct Extent {
     std::int64_t begin = 0;
-    std::int32_t count = 0, capacity = 0;
+    std::int32_t count = 0, capacity = 0, faces = 0;
   };
 
   void assemble_row(const TriangleMesh& mesh, const StressField& field, std::int32_t v);
 
   double adhesion_;
   std::vector<Extent> rows_;  // #V
-  std::vector<std::int32_t> columns_;
+  std::vector<std::int32_t> columns_, faces_;
   std::vector<Vec4f> blocks_;
-  std::vector<std::int32_t> touched_;          // of update
-  std::vector<std::int32_t> row_columns_;      // of assemble_row
+  std::vector<std::int32_t> touched_;      // of update
+  std::vector<std::int32_t> row_columns_;  // of assemble_row
   std::vector<std::array<double, 4>> row_blocks_;
 };
 

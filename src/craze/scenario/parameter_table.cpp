@@ -170,6 +170,14 @@ std::vector<Parameter> make_table() {
             .source = "[IO06 §3.1]"})
       .add("max_load", &EvolutionParameters::max_load, not_negative,
            {.help = "load factor to stop at (quasistatic)", .symbol = "s"})
+      .add(
+          "load_step", &EvolutionParameters::load_step, not_negative,
+          {.help = "nodes that fail within this part of the load, too far apart to interact, crack "
+                   "in one step; 0: the next one only (quasistatic)"})
+      .add(
+          "residual", &EvolutionParameters::residual, positive,
+          {.help = "largest force left on a node when the next crack is looked for, over the force "
+                   "at which nodes fail (quasistatic)"})
       .add("max_cracks", &EvolutionParameters::max_cracks, count,
            {.help = "crack events to stop after; 0: no limit"});
 
