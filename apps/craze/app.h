@@ -17,6 +17,7 @@ void add_crack(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_render(CLI::App& app, Action& action);
 void add_stats(CLI::App& app, Action& action);
+void add_figures(CLI::App& app, Action& action);
 void add_presets(CLI::App& app, Action& action);
 void add_parameters(CLI::App& app, Action& action);
 

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app.h"
+#include "camera_options.h"
 #include "craze/scenario/presets.h"
 #include "craze/scenario/run.h"
 #include "interrupt.h"
@@ -95,6 +96,7 @@ void add_crack(CLI::App& app, Action& action) {
                    "What the picture shows: clay, mud, glaze, plaster, glass or paint")
       ->type_name("NAME")
       ->capture_default_str();
+  add_camera_options(*verb, options->request.shot, "Camera of pictures and frames");
   CLI::Option* preset = verb->add_option(
       "--preset", options->preset, "See craze presets; glaze where no recipe and no key is given");
   preset->type_name("NAME");

@@ -48,6 +48,7 @@ int run_command(int argc, char** argv) {
   add_render(app, action);
   add_stats(app, action);
   add_check(app, action);
+  add_figures(app, action);
   add_presets(app, action);
   add_parameters(app, action);
   if (argc > 1) check_verb(app, argv[1]);

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app.h"
+#include "camera_options.h"
 #include "craze/base/error.h"
 #include "craze/render/png.h"
 #include "craze/scenario/load_surface.h"
@@ -46,21 +47,7 @@ void add_render(CLI::App& app, Action& action) {
   verb->add_option("--material", options->material, "clay, mud, glaze, plaster, glass or paint")
       ->type_name("NAME")
       ->capture_default_str();
-  render::PictureOptions& picture = options->picture;
-  verb->add_option("--width", picture.width, "Pixels")->type_name("N")->capture_default_str();
-  verb->add_option("--height", picture.height, "Pixels")->type_name("N")->capture_default_str();
-  verb->add_option("--samples", picture.samples, "Per pixel")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
-  verb->add_option("--azimuth", picture.view.azimuth, "Degrees around the vertical")
-      ->type_name("DEG");
-  verb->add_option("--elevation", picture.view.elevation, "Degrees above the horizon")
-      ->type_name("DEG")
-      ->check(CLI::Range(-90.0, 90.0));
-  verb->add_option("--line-width", picture.line_width, "Of a crack, model units; 0: by the size")
-      ->type_name("LENGTH")
-      ->check(CLI::NonNegativeNumber);
+  add_camera_options(*verb, options->picture, "Camera");
   verb->add_option("--threads", options->threads, "0: one per core")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));

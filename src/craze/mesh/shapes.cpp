@@ -6,6 +6,7 @@
 
 #include "craze/base/error.h"
 #include "craze/mesh/flat_shapes.h"
+#include "craze/mesh/organic_shapes.h"
 #include "craze/mesh/round_shapes.h"
 #include "craze/mesh/shape_spec.h"
 
@@ -84,6 +85,13 @@ const std::vector<ShapeInfo>& shape_table() {
        {count(160, 24, 4000, "edges around the lip"), edge,
         length("radius", 0.4, "at the lip, outside"), length("height", 0.8, ""),
         length("wall", 0.04, "thickness")}},
+      {"bumps",
+       "a ball with rounded bumps, of 20 n² triangles",
+       {count(24, 1, 1000, "edges along a side of the icosahedron"), length("radius", 1, "")}},
+      {"drape",
+       "a hanging cloth whose folds deepen downwards, standing on z = 0",
+       {count(160, 24, 4000, "edges around the base"), edge,
+        length("radius", 0.5, "at the base, of the folds' mean"), length("height", 1.6, "")}},
   };
   return table;
 }
@@ -119,6 +127,12 @@ SurfaceMesh make_shape(std::string_view specification) {
   if (name == "bowl") {
     require(s["wall"] < s["radius"], s, "wall must be smaller than radius");
     return make_bowl(s["radius"], s["wall"], edge_length(s, around(s["radius"])));
+  }
+  if (name == "bumps") return make_bumps(s["radius"], s.integer("n"));
+  if (name == "drape") {
+    require(s["height"] >= s["radius"] && s["height"] <= 20 * s["radius"], s,
+            "height must be 1 to 20 radii");
+    return make_drape(s["radius"], s["height"], edge_length(s, around(s["radius"])));
   }
   require(s["wall"] < 0.3 * s["radius"] && s["wall"] < 0.3 * s["height"], s,
           "wall must be smaller than 0.3 radius and 0.3 height");

@@ -50,7 +50,7 @@ SurfaceMesh shown_surface(const SurfaceMesh& cut_surface, const Simulation& simu
 }
 
 render::PictureOptions picture_options(const RunRequest& request) {
-  render::PictureOptions options;
+  render::PictureOptions options = request.shot;
   options.material = render::find_material(request.recipe.picture.material);
   options.view.up = request.recipe.picture.up;
   // Built-in shapes stand along z.

@@ -19,6 +19,9 @@ struct Preset {
 /// built.
 const std::vector<Preset>& presets();
 
+/// One recipe per figure of the paper, by name: recipes/figures/*.toml, likewise (figure_table.h).
+const std::vector<Preset>& figure_recipes();
+
 /// The preset of that name; Error(usage) naming the nearest where there is none.
 const Preset& find_preset(const std::string& name);
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "craze/base/context.h"
+#include "craze/render/picture.h"
 #include "craze/scenario/recipe.h"
 
 namespace craze {
@@ -23,6 +24,8 @@ struct RunRequest {
   std::string picture;  ///< .png
   std::string frames;   ///< a folder, made if need be: frame_0000.png … of the growth
   int frame_count = 24;
+  /// How pictures are taken. Material and upward axis are the recipe's.
+  render::PictureOptions shot;
   std::string fields;  ///< stress, forces and curvatures at the end: .ply
   std::string report;  ///< .json, or "-": only in the result
 };

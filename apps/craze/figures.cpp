@@ -1,0 +1,97 @@
+// craze figures [NAME]...: the figures of the paper.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "app.h"
+#include "craze/base/error.h"
+#include "craze/io/atomic_file.h"
+#include "craze/scenario/figure_run.h"
+#include "interrupt.h"
+#include "progress_line.h"
+
+namespace craze::app {
+
+namespace {
+
+struct Options {
+  FigureRequest request;
+  std::vector<std::string> names;
+  int threads = 0;
+  bool quiet = false;
+};
+
+int make_figures(const Options& options) {
+  std::vector<const Figure*> wanted;
+  for (const std::string& name : options.names) wanted.push_back(&find_figure(name));
+  if (wanted.empty()) {
+    for (const Figure& figure : figure_table()) wanted.push_back(&figure);
+  }
+  const std::string& meshes = options.request.meshes;
+  if (!meshes.empty() && !std::filesystem::is_directory(meshes)) {
+    throw Error(ErrorKind::input, "cannot read the meshes", meshes, "there is no such folder");
+  }
+  catch_interrupt();
+  std::vector<FigureResult> results;
+  for (const Figure* figure : wanted) {
+    {
+      ProgressLine line(options.quiet);
+      Context context;
+      context.threads = options.threads;
+      context.progress = [&](const Progress& progress) { line.update(progress); };
+      context.cancelled = was_interrupted;
+      results.push_back(make_figure(*figure, options.request, context));
+    }
+    if (results.back().cancelled) return interrupted;
+  }
+  const std::string page = figure_page(results);
+  write_file(std::filesystem::path(options.request.folder) / "figures.md", page);
+  return options.quiet ? done : print(page);
+}
+
+std::string figure_list() {
+  std::string list = "Figures (number, name, what it shows, the mesh it looks for):\n";
+  for (const Figure& f : figure_table()) {
+    list += fmt::format("  {:>2} {:<12} {}{}\n", f.number, f.name, f.title,
+                        f.mesh.empty() ? "" : fmt::format(" ({})", f.mesh));
+  }
+  return list;
+}
+
+}  // namespace
+
+void add_figures(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("figures", "Make the figures of the paper");
+  verb->add_option("NAME", options->names, "Names or numbers; all where none is given")
+      ->type_name("");
+  verb->add_option("-o,--output", options->request.folder,
+                   "Where pictures, reports and figures.md, the table of all, go")
+      ->required()
+      ->type_name("DIR");
+  verb->add_option("--meshes", options->request.meshes,
+                   "Where your meshes are; a built-in shape stands in for one that is missing")
+      ->type_name("DIR");
+  verb->add_option("--set", options->request.settings,
+                   "Change one key of every recipe, as often as you like")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  verb->add_option("--width", options->request.width, "Pixels")
+      ->type_name("N")
+      ->capture_default_str();
+  verb->add_option("--height", options->request.height, "Pixels")
+      ->type_name("N")
+      ->capture_default_str();
+  verb->add_option("--threads", options->threads, "0: one per core")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  verb->add_flag("--quiet", options->quiet, "No progress, and no table on standard output");
+  verb->footer(figure_list() +
+               "Examples:\n"
+               "  craze figures -o figures --meshes scans\n"
+               "  craze figures mud-jagged 5 -o figures --set seed=3");
+  verb->callback([options, &action] { action = [options] { return make_figures(*options); }; });
+}
+
+}  // namespace craze::app

@@ -1,0 +1,138 @@
+#include "craze/scenario/figure_run.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "craze/base/error.h"
+#include "craze/io/atomic_file.h"
+#include "craze/scenario/run.h"
+#include "craze/scenario/snapping_diagram.h"
+
+namespace craze {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int frame_count = 6;
+
+/// The user's mesh where it is there, else the shape.
+std::string input_of(const Figure& figure, const std::string& meshes) {
+  if (!figure.mesh.empty() && !meshes.empty()) {
+    const fs::path file = fs::path(meshes) / figure.mesh;
+    if (fs::exists(file)) return file.string();
+  }
+  return std::string(figure.shape);
+}
+
+std::string quoted(const std::string& word) {
+  return word.find_first_of("?&= ") == std::string::npos ? word : "'" + word + "'";
+}
+
+std::string command_of(const Figure& figure, const std::string& recipe, const std::string& input,
+                       const FigureRequest& request, const std::string& picture) {
+  const std::string shown =
+      input == figure.shape ? quoted(input) : fmt::format("MESHES/{}", figure.mesh);
+  std::string command =
+      fmt::format("craze crack {} --recipe recipes/figures/{}.toml", shown, recipe);
+  for (const std::string& setting : request.settings) command += " --set " + quoted(setting);
+  command += fmt::format(" --width {} --height {} --azimuth {:g} --elevation {:g}", request.width,
+                         request.height, figure.azimuth, figure.elevation);
+  return command + (figure.kind == FigureKind::frames
+                        ? fmt::format(" --frames {} --frame-count {}", picture, frame_count)
+                        : " --picture " + picture);
+}
+
+double run_seconds(const nlohmann::ordered_json& report) {
+  double seconds = 0;
+  for (const char* phase : {"load", "prepare", "relax", "separation", "crack"}) {
+    seconds += report["time"][phase].get<double>();
+  }
+  return seconds;
+}
+
+/// Cracks the figure's mesh by one of its recipes.
+FigurePart make_part(const Figure& figure, std::string_view recipe, const FigureRequest& request,
+                     const Context& context, bool& cancelled) {
+  RunRequest run_request;
+  run_request.input = input_of(figure, request.meshes);
+  run_request.recipe =
+      read_recipe(find_figure_recipe(recipe).text, fmt::format("recipes/figures/{}.toml", recipe));
+  for (const std::string& setting : request.settings) apply_set(run_request.recipe, setting);
+  run_request.shot.width = request.width;
+  run_request.shot.height = request.height;
+  run_request.shot.view.azimuth = figure.azimuth;
+  run_request.shot.view.elevation = figure.elevation;
+
+  const std::string name(figure.recipes.size() > 1 ? recipe : figure.name);
+  const fs::path folder(request.folder);
+  run_request.report = (folder / (name + ".json")).string();
+  FigurePart part;
+  std::string made = name;
+  if (figure.kind == FigureKind::frames) {
+    run_request.frames = (folder / name).string();
+    run_request.frame_count = frame_count;
+    for (int i = 0; i < frame_count; ++i) {
+      part.pictures.push_back(fmt::format("{}/frame_{:04}.png", name, i));
+    }
+  } else {
+    made += ".png";
+    run_request.picture = (folder / made).string();
+    part.pictures = {made};
+  }
+  const RunResult result = run(run_request, context);
+  cancelled = result.cancelled;
+  part.command = command_of(figure, std::string(recipe), run_request.input, request, made);
+  part.triangles = result.report["simulation"]["triangles"];
+  part.seconds = run_seconds(result.report);
+  return part;
+}
+
+}  // namespace
+
+FigureResult make_figure(const Figure& figure, const FigureRequest& request,
+                         const Context& context) {
+  std::error_code failure;
+  fs::create_directories(request.folder, failure);
+  if (failure) {
+    throw Error(ErrorKind::output, "cannot make the folder", request.folder, failure.message());
+  }
+  FigureResult result{&figure, false, {}, false};
+  if (figure.kind == FigureKind::diagram) {
+    const std::string file = fmt::format("{}.svg", figure.name);
+    write_file(fs::path(request.folder) / file, snapping_diagram(), "cannot write the diagram");
+    result.parts.push_back({{file}, fmt::format("craze figures {} -o .", figure.name), 0, 0});
+    return result;
+  }
+  result.stands_in = !figure.mesh.empty() && input_of(figure, request.meshes) == figure.shape;
+  for (const std::string_view recipe : figure.recipes) {
+    result.parts.push_back(make_part(figure, recipe, request, context, result.cancelled));
+    if (result.cancelled) break;
+  }
+  return result;
+}
+
+std::string figure_page(const std::vector<FigureResult>& results) {
+  std::string page =
+      "| figure | what | picture | triangles | paper's | time | paper's | command |\n"
+      "|---|---|---|---|---|---|---|---|\n";
+  for (const FigureResult& result : results) {
+    const Figure& figure = *result.figure;
+    for (const FigurePart& part : result.parts) {
+      std::string pictures;
+      for (const std::string& file : part.pictures) pictures += fmt::format("![]({}) ", file);
+      const bool simulated = part.triangles > 0;
+      page += fmt::format(
+          "| {} {} | {}{} | {}| {} | {} | {} | {} | `{}` |\n", figure.number, figure.name,
+          figure.title,
+          result.stands_in ? fmt::format("; {} stands in for {}", figure.shape, figure.mesh) : "",
+          pictures, simulated ? fmt::format("{}", part.triangles) : "",
+          figure.paper_triangles > 0 ? fmt::format("{}", figure.paper_triangles) : "",
+          simulated ? fmt::format("{:.1f} s", part.seconds) : "", figure.paper_time, part.command);
+    }
+  }
+  return page;
+}
+
+}  // namespace craze
