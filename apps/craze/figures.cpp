@@ -77,11 +77,9 @@ void add_figures(CLI::App& app, Action& action) {
                    "Change one key of every recipe, as often as you like")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  verb->add_option("--width", options->request.width, "Pixels")
+  verb->add_option("--size", options->request.size, "Longer side of the pictures, pixels")
       ->type_name("N")
-      ->capture_default_str();
-  verb->add_option("--height", options->request.height, "Pixels")
-      ->type_name("N")
+      ->check(CLI::Range(1, 16384))
       ->capture_default_str();
   verb->add_option("--threads", options->threads, "0: one per core")
       ->type_name("N")

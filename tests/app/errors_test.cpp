@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "craze/render/png.h"
 
 namespace craze {
 namespace {
@@ -33,6 +34,48 @@ TEST_F(Errors, AFailedRunExitsWithOne) {
   expect_error({"crack", "shape:plate?n=3", "-o", "a.ply", "--set", "stress.attribute=paint"}, 1,
                "paint");
   expect_error({"check", "missing.stl"}, 1, "missing.stl");
+}
+
+TEST_F(Errors, AnImpactFarFromTheSurfaceIsRefusedWithTheNearestPoint) {
+  expect_error({"crack", "shape:plate?n=4", "-o", "a.ply", "--set", "impact.0.point=[0,0,3]"}, 1,
+               "3 away from the surface");
+}
+
+TEST_F(Errors, APictureNeedsTextureCoordinates) {
+  std::ofstream(folder_ / "bare.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  render::write_png((folder_ / "grey.png").string(), {1, 1, {9, 9, 9}});
+  for (const char* section : {"stress", "material", "layer"}) {
+    expect_error({"crack", "../bare.obj", "-o", "a.ply", "--set",
+                  std::string(section) + ".texture=\"../grey.png\""},
+                 1, std::string("(") + section + ".texture): the input has no texture coordinates");
+  }
+}
+
+TEST_F(Errors, AMissingAttributeIsMetWithThoseThereAre) {
+  std::ofstream(folder_ / "painted.ply")
+      << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nproperty float rust\nelement face 1\n"
+         "property list uchar int vertex_indices\nend_header\n"
+         "0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n";
+  for (const char* key :
+       {"stress.attribute", "material.attribute", "layer.attribute", "boundary.fixed_attribute"}) {
+    expect_error({"crack", "../painted.ply", "-o", "a.ply", "--set", std::string(key) + "=paint"},
+                 1, "per vertex it has rust");
+  }
+}
+
+TEST_F(Errors, ASpacingThatMemoryIsTooSmallForIsRefusedWithAnEstimate) {
+  expect_error({"crack", "shape:plate?n=4", "-o", "a.ply", "--set", "layer.spacing=1e-6"}, 1,
+               "GB of memory");
+  expect_error({"crack", "shape:plate?n=4", "-o", "a.ply", "--set", "mesh.edge=1e-7"}, 1,
+               "edge too short for this machine (mesh.edge)");
+}
+
+TEST_F(Errors, ASpacingLargerThanTheObjectIsRefused) {
+  expect_error({"crack", "shape:plate?n=4", "-o", "a.ply", "--set", "layer.spacing=2"}, 1,
+               "spacing larger than the object (layer.spacing)");
+  expect_error({"crack", "shape:plate?n=4", "-o", "a.ply", "--set", "layer.relative_spacing=1.1"},
+               1, "spacing larger than the object");
 }
 
 TEST_F(Errors, WrongOutputsAreFoundBeforeTheInputIsRead) {

@@ -80,8 +80,7 @@ class FigureFolder : public testing::Test {
     std::string pattern = (std::filesystem::temp_directory_path() / "craze_test_XXXXXX").string();
     folder_ = mkdtemp(pattern.data());
     request_.folder = (folder_ / "new").string();
-    request_.width = 64;
-    request_.height = 48;
+    request_.size = 64;
     request_.settings = {"evolution.max_cracks=2"};
   }
   ~FigureFolder() override {

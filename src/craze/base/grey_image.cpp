@@ -30,4 +30,15 @@ double GreyImage::sample(const Vec2& uv) const {
   return (1 - r.weight) * row(r.first) + r.weight * row(r.second);
 }
 
+bool GreyImage::touches_black(const Vec2& uv) const {
+  const Neighbours c = neighbours(uv.x(), width), r = neighbours(1 - uv.y(), height);
+  const auto black = [&](std::int32_t y, std::int32_t x, double weight) {
+    return weight > 0 && pixels[static_cast<std::size_t>(y) * width + x] == 0;
+  };
+  return black(r.first, c.first, (1 - r.weight) * (1 - c.weight)) ||
+         black(r.first, c.second, (1 - r.weight) * c.weight) ||
+         black(r.second, c.first, r.weight * (1 - c.weight)) ||
+         black(r.second, c.second, r.weight * c.weight);
+}
+
 }  // namespace craze

@@ -17,6 +17,8 @@ struct GreyImage {
   /// Bilinear between pixel centres; u runs right and v up from the lower left corner, both repeat.
   /// Not for an empty image; a uv that is not finite counts as (0, 0).
   double sample(const Vec2& uv) const;
+  /// Whether any of the pixels that sample() mixes there is 0.
+  bool touches_black(const Vec2& uv) const;
 };
 
 }  // namespace craze

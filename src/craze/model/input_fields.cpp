@@ -177,6 +177,18 @@ std::vector<double> texture_per_face(const TriangleMesh& mesh, const InputFields
   return values;
 }
 
+std::vector<std::uint8_t> black_faces(const TriangleMesh& mesh, const InputFields& fields,
+                                      const GreyImage& image, const std::string& key) {
+  require_uvs(mesh, fields, image, key);
+  std::vector<std::uint8_t> black(mesh.face_count());
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const Vec2* uv = &fields.corner_uvs[3 * static_cast<std::size_t>(f)];
+    const Vec2 places[] = {uv[0], uv[1], uv[2], (uv[0] + uv[1] + uv[2]) / 3};
+    for (const Vec2& place : places) black[f] |= image.touches_black(place) ? 1 : 0;
+  }
+  return black;
+}
+
 std::vector<double> texture_per_vertex(const TriangleMesh& mesh, const InputFields& fields,
                                        const GreyImage& image, const std::string& key) {
   require_uvs(mesh, fields, image, key);

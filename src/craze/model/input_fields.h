@@ -48,5 +48,8 @@ std::vector<double> texture_per_face(const TriangleMesh& mesh, const InputFields
 /// #V: the mean of the picture at the UVs that the vertex has in the corners of its star.
 std::vector<double> texture_per_vertex(const TriangleMesh& mesh, const InputFields& fields,
                                        const GreyImage& image, const std::string& key);
+/// #F, 1 where a pixel that counts at the middle or a corner of the face is 0.
+std::vector<std::uint8_t> black_faces(const TriangleMesh& mesh, const InputFields& fields,
+                                      const GreyImage& image, const std::string& key);
 
 }  // namespace craze

@@ -60,21 +60,37 @@ PaintedMultiplier spacing_multiplier(const TriangleMesh& mesh, const LayerParame
   return painted(mesh, fields, "layer", layer.attribute, layer.texture, fields.layer_texture);
 }
 
-std::vector<std::uint8_t> forbidden_faces(const TriangleMesh& mesh,
-                                          const SimulationParameters& parameters,
-                                          const InputFields& fields) {
-  std::vector<std::uint8_t> forbidden(mesh.face_count(), 0);
-  const auto forbid = [&](const PaintedMultiplier& m) {
+std::vector<std::uint8_t> faces_with_zero_attribute(const TriangleMesh& mesh,
+                                                    const SimulationParameters& parameters,
+                                                    const InputFields& fields) {
+  std::vector<std::uint8_t> zero(mesh.face_count(), 0);
+  const auto look = [&](const char* section, const std::string& attribute) {
+    if (attribute.empty()) return;
+    const PaintedMultiplier m = painted(mesh, fields, section, attribute, "", {});
     for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
       const Triangle& t = mesh.triangle(f);
       if (m.face[f] == 0 || m.vertex[t[0]] == 0 || m.vertex[t[1]] == 0 || m.vertex[t[2]] == 0) {
-        forbidden[f] = 1;
+        zero[f] = 1;
       }
     }
   };
-  forbid(material_multiplier(mesh, parameters.material, fields));
-  forbid(spacing_multiplier(mesh, parameters.layer, fields));
-  forbid(painted(mesh, fields, "stress", "", parameters.stress.texture, fields.stress_texture));
+  look("material", parameters.material.attribute);
+  look("layer", parameters.layer.attribute);
+  return zero;
+}
+
+std::vector<std::uint8_t> forbidden_faces(const TriangleMesh& mesh,
+                                          const SimulationParameters& parameters,
+                                          const InputFields& fields) {
+  std::vector<std::uint8_t> forbidden = faces_with_zero_attribute(mesh, parameters, fields);
+  const auto forbid_black = [&](const GreyImage& image, const char* key) {
+    if (image.empty()) return;
+    const std::vector<std::uint8_t> black = black_faces(mesh, fields, image, key);
+    for (std::size_t f = 0; f < forbidden.size(); ++f) forbidden[f] |= black[f];
+  };
+  forbid_black(fields.stress_texture, "stress.texture");
+  forbid_black(fields.material_texture, "material.texture");
+  forbid_black(fields.layer_texture, "layer.texture");
   if (attribute_is_the_only_source(parameters)) {
     const auto stress =
         tensor_per_face(mesh, fields, parameters.stress.attribute, "stress.attribute");

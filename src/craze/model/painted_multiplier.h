@@ -23,13 +23,20 @@ PaintedMultiplier material_multiplier(const TriangleMesh& mesh, const MaterialPa
 PaintedMultiplier spacing_multiplier(const TriangleMesh& mesh, const LayerParameters& layer,
                                      const InputFields& fields);
 
-/// #F, 1 where no crack may ever run, because a painted multiplier is zero there: the picture of
-/// stress, material or layer at the face's middle or at a corner, or the attribute of material or
-/// layer at the face or a corner. The attribute of stress is added, not multiplied: its zeros count
-/// where it is the only source of stress (`parameters.stress` is zero otherwise, and there is no
-/// impact, shrinkage or growth).
+/// #F, 1 where no crack may ever run, because a painted multiplier is zero there: the attribute of
+/// material or layer at the face or a corner, or a pixel of the picture of stress, material or
+/// layer that counts at the face's middle or at a corner. So what is mixed from zero and more is
+/// not weak ground beside the zero, but part of it. The attribute of stress is added, not
+/// multiplied: its zeros count where it is the only source of stress (`parameters.stress` is zero
+/// otherwise, and there is no impact, shrinkage or growth).
 std::vector<std::uint8_t> forbidden_faces(const TriangleMesh& mesh,
                                           const SimulationParameters& parameters,
                                           const InputFields& fields);
+
+/// The same for the attributes of material and layer alone: what is to be found on the input's own
+/// triangles before a finer mesh mixes their corners' values.
+std::vector<std::uint8_t> faces_with_zero_attribute(const TriangleMesh& mesh,
+                                                    const SimulationParameters& parameters,
+                                                    const InputFields& fields);
 
 }  // namespace craze

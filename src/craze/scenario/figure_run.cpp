@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "craze/base/error.h"
@@ -30,6 +31,16 @@ std::string quoted(const std::string& word) {
   return word.find_first_of("?&= ") == std::string::npos ? word : "'" + word + "'";
 }
 
+struct Size {
+  int width, height;
+};
+
+Size picture_size(const Figure& figure, int longer) {
+  const double a = figure.aspect;
+  return a > 1 ? Size{static_cast<int>(std::lround(longer / a)), longer}
+               : Size{longer, static_cast<int>(std::lround(longer * a))};
+}
+
 std::string command_of(const Figure& figure, const std::string& recipe, const std::string& input,
                        const FigureRequest& request, const std::string& picture) {
   const std::string shown =
@@ -37,8 +48,9 @@ std::string command_of(const Figure& figure, const std::string& recipe, const st
   std::string command =
       fmt::format("craze crack {} --recipe recipes/figures/{}.toml", shown, recipe);
   for (const std::string& setting : request.settings) command += " --set " + quoted(setting);
-  command += fmt::format(" --width {} --height {} --azimuth {:g} --elevation {:g}", request.width,
-                         request.height, figure.azimuth, figure.elevation);
+  const Size size = picture_size(figure, request.size);
+  command += fmt::format(" --width {} --height {} --azimuth {:g} --elevation {:g}", size.width,
+                         size.height, figure.azimuth, figure.elevation);
   return command + (figure.kind == FigureKind::frames
                         ? fmt::format(" --frames {} --frame-count {}", picture, frame_count)
                         : " --picture " + picture);
@@ -60,8 +72,9 @@ FigurePart make_part(const Figure& figure, std::string_view recipe, const Figure
   run_request.recipe =
       read_recipe(find_figure_recipe(recipe).text, fmt::format("recipes/figures/{}.toml", recipe));
   for (const std::string& setting : request.settings) apply_set(run_request.recipe, setting);
-  run_request.shot.width = request.width;
-  run_request.shot.height = request.height;
+  const Size size = picture_size(figure, request.size);
+  run_request.shot.width = size.width;
+  run_request.shot.height = size.height;
   run_request.shot.view.azimuth = figure.azimuth;
   run_request.shot.view.elevation = figure.elevation;
 

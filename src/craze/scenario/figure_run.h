@@ -14,7 +14,7 @@ struct FigureRequest {
   std::string folder;                 ///< where the files go, made if need be
   std::string meshes;                 ///< where the user's meshes are; "": shapes only
   std::vector<std::string> settings;  ///< "key=value", on top of every recipe
-  int width = 960, height = 720;      ///< of the pictures, pixels
+  int size = 960;                     ///< longer side of the pictures, pixels
 };
 
 /// One picture or series of frames, and the run behind it.

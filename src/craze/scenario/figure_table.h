@@ -26,6 +26,7 @@ struct Figure {
   std::string_view shape = {};  ///< what stands in where the file is not there
   double azimuth = 0;           ///< of the camera, degrees
   double elevation = 18;        ///< degrees above the horizon
+  double aspect = 0.75;         ///< of the picture: height over width
   int paper_triangles = 0;      ///< 0: none
   std::string_view paper_time = {};  ///< as its caption says it; "": none
 };

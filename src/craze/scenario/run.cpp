@@ -67,11 +67,13 @@ RunResult run(const RunRequest& request, const Context& context) {
   context.report({"prepare", -1, 0, static_cast<std::int64_t>(repaired.triangles.size())});
   report.recipe.simulation =
       resolve_lengths(report.recipe.simulation, bounding_diagonal(repaired.positions));
-  const SurfaceMesh surface = simulation_surface(std::move(repaired), report.recipe, context);
+  const SimulationSurface prepared =
+      simulation_surface(std::move(repaired), report.recipe, context);
+  const SurfaceMesh& surface = prepared.mesh;
   report.simulation = count_mesh(surface);
   const SimulationParameters& parameters = report.recipe.simulation;
   TriangleMesh mesh(surface.positions, surface.triangles);
-  SimulationFields fields = simulation_fields(surface, mesh, parameters, context);
+  SimulationFields fields = simulation_fields(prepared, mesh, parameters, context);
   Simulation simulation(std::move(mesh), std::move(fields), parameters, context);
   report.time.prepare = phase.lap();
 

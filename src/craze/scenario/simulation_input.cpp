@@ -13,6 +13,7 @@
 #include "craze/model/input_fields.h"
 #include "craze/model/painted_multiplier.h"
 #include "craze/model/stress_sources.h"
+#include "craze/scenario/check_scale.h"
 
 namespace craze {
 
@@ -48,13 +49,16 @@ void scatter_strength(std::vector<double>& scale, const TriangleMesh& mesh,
 }
 
 std::vector<double> toughness_scale(const TriangleMesh& mesh, const SimulationParameters& p,
-                                    const InputFields& input, const Context& context) {
+                                    const InputFields& input,
+                                    const std::vector<std::uint8_t>& forbidden_in_input,
+                                    const Context& context) {
   std::vector<double> scale = material_multiplier(mesh, p.material, input).face;
   scale.resize(static_cast<std::size_t>(mesh.face_count()), 1);
   scatter_strength(scale, mesh, p, context);
   const std::vector<std::uint8_t> forbidden = forbidden_faces(mesh, p, input);
   for (std::size_t f = 0; f < forbidden.size(); ++f) {
-    if (forbidden[f]) scale[f] = std::numeric_limits<double>::infinity();
+    const bool in_input = !forbidden_in_input.empty() && forbidden_in_input[f];
+    if (forbidden[f] || in_input) scale[f] = std::numeric_limits<double>::infinity();
   }
   return scale;
 }
@@ -129,19 +133,50 @@ double target_edge(const SurfaceMesh& surface, const Recipe& recipe) {
   return target > 0 && mean_edge(surface) > target ? target : 0;
 }
 
+/// #F, 1 for marked faces and those that share a vertex with one: a face of the finer mesh takes
+/// its mark from where its middle is, and may reach over.
+std::vector<std::uint8_t> touching_faces(const SurfaceMesh& mesh,
+                                         const std::vector<double>& marks) {
+  std::vector<char> touched(mesh.positions.size(), 0);
+  for (std::size_t f = 0; f < marks.size(); ++f) {
+    for (const std::int32_t v : mesh.triangles[f]) touched[v] = touched[v] || marks[f] != 0;
+  }
+  std::vector<std::uint8_t> faces;
+  for (const Triangle& t : mesh.triangles) {
+    faces.push_back(touched[t[0]] || touched[t[1]] || touched[t[2]] ? 1 : 0);
+  }
+  return faces;
+}
+
 }  // namespace
 
-SurfaceMesh simulation_surface(SurfaceMesh repaired, const Recipe& recipe, const Context& context) {
+SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
+                                     const Context& context) {
   RemeshOptions options;
   options.target_edge = target_edge(repaired, recipe);
   options.coarsen = recipe.mesh.edge.kind == EdgeLength::Kind::given;
   options.seed = recipe.simulation.seed;
-  return options.target_edge > 0 ? remesh(repaired, options, context) : std::move(repaired);
+  check_scale(repaired, recipe, options.target_edge, physical_memory());
+  if (options.target_edge == 0) return {std::move(repaired), {}};
+
+  const MaterialParameters& material = recipe.simulation.material;
+  if (material.attribute.empty() && recipe.simulation.layer.attribute.empty()) {
+    return {remesh(repaired, options, context), {}};
+  }
+  // Remeshing carries an attribute of the faces; taken off again, it is no part of the mesh.
+  const TriangleMesh topology(repaired.positions, repaired.triangles);
+  const auto zero = faces_with_zero_attribute(topology, recipe.simulation, input_fields(repaired));
+  repaired.face_attributes.push_back(
+      {"forbidden", 1, std::vector<double>(zero.begin(), zero.end())});
+  SimulationSurface surface{remesh(repaired, options, context), {}};
+  surface.forbidden = touching_faces(surface.mesh, surface.mesh.face_attributes.back().values);
+  surface.mesh.face_attributes.pop_back();
+  return surface;
 }
 
-SimulationFields simulation_fields(const SurfaceMesh& surface, const TriangleMesh& mesh,
+SimulationFields simulation_fields(const SimulationSurface& surface, const TriangleMesh& mesh,
                                    const SimulationParameters& p, const Context& context) {
-  InputFields input = input_fields(surface);
+  InputFields input = input_fields(surface.mesh);
   input.stress_texture = read_texture(p.stress.texture);
   input.material_texture = read_texture(p.material.texture);
   input.layer_texture = read_texture(p.layer.texture);
@@ -153,7 +188,7 @@ SimulationFields simulation_fields(const SurfaceMesh& surface, const TriangleMes
     fields.growth = in_world(mesh, face_curvature(mesh, p.stress.curvature_radius, context),
                              p.evolution.curvature_growth);
   }
-  fields.toughness_scale = toughness_scale(mesh, p, input, context);
+  fields.toughness_scale = toughness_scale(mesh, p, input, surface.forbidden, context);
   fields.separation_scale = separation_scale(mesh, p, context);
   fields.adhesion_scale = adhesion_scale(mesh, p, input);
   fields.preferred = preferred_per_face(mesh, p, context);

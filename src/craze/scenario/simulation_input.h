@@ -1,6 +1,9 @@
 // From a repaired surface and a recipe to what the simulation starts with.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "craze/base/context.h"
 #include "craze/mesh/surface_mesh.h"
 #include "craze/model/simulation.h"
@@ -8,15 +11,25 @@
 
 namespace craze {
 
-/// The surface that the simulation runs on, with every attribute of the repaired input. mesh.edge
-/// "keep": the input itself. A length: remeshed to it. "auto": remeshed to a quarter of the
-/// screening length where the input's edges are longer than that on average, else the input itself.
-SurfaceMesh simulation_surface(SurfaceMesh repaired, const Recipe& recipe, const Context& context);
+/// What the simulation runs on.
+struct SimulationSurface {
+  SurfaceMesh mesh;  ///< with every attribute of the repaired input
+  /// #F, 1 where a multiplier of the recipe is zero at the input's triangle or one of its corners;
+  /// empty: nowhere. A finer mesh mixes what the corners hold, but not this.
+  std::vector<std::uint8_t> forbidden;
+};
+
+/// mesh.edge "keep": the input itself. A length: remeshed to it. "auto": remeshed to a quarter of
+/// the screening length where the input's edges are longer than that on average, else the input
+/// itself. Throws Error(request) for a spacing or edge that the object or this machine's memory is
+/// too small for.
+SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
+                                     const Context& context);
 
 /// σ₀, growth, scatter, scales and held vertices of `mesh`, which was made from `surface`. Pictures
 /// are read from the files that the recipe names. Throws Error where a picture or attribute is
 /// missing or does not fit.
-SimulationFields simulation_fields(const SurfaceMesh& surface, const TriangleMesh& mesh,
+SimulationFields simulation_fields(const SimulationSurface& surface, const TriangleMesh& mesh,
                                    const SimulationParameters& parameters, const Context& context);
 
 }  // namespace craze
