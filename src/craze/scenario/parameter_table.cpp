@@ -156,7 +156,8 @@ std::vector<Parameter> make_table() {
             .unit = "stress",
             .source = "[IO06 §4.1]"})
       .add("curvature_growth", &EvolutionParameters::curvature_growth, any,
-           {.help = "times the curvature tensor is added per step",
+           {.help = "times the curvature tensor is added per step (euler), or per unit of the load "
+                    "factor (quasistatic)",
             .unit = "stress·length",
             .source = "[IO06 §4.1]"})
       .add("time_step", &EvolutionParameters::time_step, positive,

@@ -10,6 +10,7 @@
 #include "craze/model/correlated_noise.h"
 #include "craze/model/curvature.h"
 #include "craze/model/direction_bias.h"
+#include "craze/model/evolution.h"
 #include "craze/model/input_fields.h"
 #include "craze/model/painted_multiplier.h"
 #include "craze/model/stress_sources.h"
@@ -187,6 +188,11 @@ SimulationFields simulation_fields(const SimulationSurface& surface, const Trian
   if (p.evolution.curvature_growth != 0) {
     fields.growth = in_world(mesh, face_curvature(mesh, p.stress.curvature_radius, context),
                              p.evolution.curvature_growth);
+    // Without steps, what grows is a source that the load factor scales like the others.
+    if (running_engine(p) == Engine::quasistatic) {
+      for (std::size_t f = 0; f < fields.stress.size(); ++f) fields.stress[f] += fields.growth[f];
+      fields.growth.clear();
+    }
   }
   fields.toughness_scale = toughness_scale(mesh, p, input, surface.forbidden, context);
   fields.separation_scale = separation_scale(mesh, p, context);
