@@ -112,7 +112,7 @@ const std::vector<Figure>& figure_table() {
       {.number = 12,
        .name = "mud-jagged",
        .title = "Dried mud, α = 0.5",
-       .recipes = {"mud_jagged"},
+       .recipes = {"mud_jagged", "mud_by_force"},
        .shape = mud_plate,
        .elevation = 55,
        .paper_triangles = 19602,
