@@ -24,7 +24,7 @@ struct Material {
   float line_strength = 1;        ///< 0 … 1, how much of the core colour is seen
   float stain = 0;                ///< 0 … 1, darkening of the faint band beside a line
   float groove = 0;               ///< 0 … 1, how deep the lines look engraved
-  float worn = 0;                 ///< 0 … 1, how round the edges of open cracks are
+  float worn = 0;                 ///< about 0 … 1, how round the edges of open cracks are
   Rgb backdrop = from_srgb(186, 187, 190);  ///< a background it looks good against
 };
 

@@ -159,7 +159,7 @@ float Tracer::fissure(const Surface& s, const Vec3f& inside, const LineSample& l
            0.25f * (value_noise(9 * at).value - 0.3f) * s.normal)
               .normalized();
   // Beyond 42 degrees the gap mirrors all light; less where the crack has closed again.
-  const float mirror = 0.16f + 0.7f * smoothstep(0.85f, 0.55f, sideways);
+  const float mirror = 0.22f + 0.7f * smoothstep(0.85f, 0.55f, sideways);
   return mirror * (1 - smoothstep(0.35f * reach, reach, depth));
 }
 
@@ -183,7 +183,7 @@ Rgb Tracer::through_glass(const Ray& first_ray, const Hit& first_hit, float foot
     Vec3f facet;
     const float part = fissure(s, bent, line, facet);
     if (part > 0) {
-      const Rgb glint = studio_.reflection(mirrored(bent, facet)) + 0.12f * material_.line;
+      const Rgb glint = studio_.reflection(mirrored(bent, facet)) + 0.2f * material_.line;
       seen += depth * part * clear * glint;
       clear *= 1 - part;
     }

@@ -67,6 +67,7 @@ class GrowthScene::Photographer {
   Photographer(const GrowthScene& scene, const render::PictureOptions& options)
       : scene_(scene), options_(options), mesh_(scene.shown_.mesh) {
     options_.subject = mesh_.positions;
+    mesh_.face_attributes.clear();  // fragments look alike before they are ones
     mesh_.corner_normals = picture_normals(scene.shown_, scene.surface_, scene.simulation_,
                                            scene.request_.recipe.post, options_.crease);
     lines_ =
