@@ -23,9 +23,25 @@ void add_camera_options(CLI::App& verb, render::PictureOptions& picture, const c
       ->type_name("DEG")
       ->check(CLI::Range(-90.0, 90.0))
       ->group(group);
-  verb.add_option("--line-width", picture.line_width, "Of a crack, model units; 0: by the size")
-      ->type_name("LENGTH")
-      ->check(CLI::NonNegativeNumber)
+  verb.add_option("--fov", picture.view.field_of_view,
+                  "Vertical field of view; a wide one is nearer, so that all is still seen")
+      ->type_name("DEG")
+      ->check(CLI::Range(1.0, 120.0))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--zoom", picture.view.zoom, "2: half as much is seen, twice as large")
+      ->type_name("X")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option_function<std::vector<double>>(
+          "--at",
+          [&picture](const std::vector<double>& p) {
+            picture.view.target = Vec3(p[0], p[1], p[2]);
+          },
+          "The point in the middle of the picture")
+      ->type_name("X Y Z")
+      ->expected(3)
       ->group(group);
 }
 

@@ -7,7 +7,8 @@
 
 namespace craze::app {
 
-/// --width, --height, --samples, --azimuth, --elevation, --line-width, in a group of that name.
+/// --width, --height, --samples, --azimuth, --elevation, --fov, --zoom, --at, in a group of that
+/// name.
 void add_camera_options(CLI::App& verb, render::PictureOptions& picture, const char* group);
 
 }  // namespace craze::app

@@ -78,6 +78,15 @@ TEST_F(Errors, ASpacingLargerThanTheObjectIsRefused) {
                1, "spacing larger than the object");
 }
 
+TEST_F(Errors, ZeroStressEverywhereIsEquilibriumAndIsSaid) {
+  const CommandResult result =
+      run({"crack", "shape:plate?n=4", "-o", "a.ply", "--set", "stress.uniform=0"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err,
+            "craze: warning: nothing can crack (stress): it is zero everywhere; give "
+            "stress.uniform, an impact or a painted stress that is not\n");
+}
+
 TEST_F(Errors, WrongOutputsAreFoundBeforeTheInputIsRead) {
   expect_error({"crack", "missing.obj", "-o", "a.xyz"}, 2, "a.xyz");
   expect_error({"crack", "missing.obj", "--report", "missing/r.json"}, 1, "missing/r.json");

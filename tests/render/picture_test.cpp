@@ -46,8 +46,8 @@ struct CrackedPlate {
       if (!mesh.is_open(h) && on_line(mesh.from(h)) && on_line(mesh.to(h))) mesh.cut(h, 0);
     }
   }
-  CrackLines lines(const std::vector<double>& width = {}) const {
-    return crack_lines(mesh, crack_sides(mesh), line_reach(surface(mesh), options), width);
+  CrackLines lines() const {
+    return crack_lines(mesh, crack_sides(mesh), line_reach(surface(mesh), options));
   }
 };
 
@@ -95,9 +95,13 @@ TEST(Picture, ALineAsFineAsAnImagePointKeepsItsInk) {
 
 TEST(Picture, LineWidthMayVaryAlongACrack) {
   const CrackedPlate plate;
-  std::vector<double> width;
-  for (const Vec3& p : plate.mesh.positions()) width.push_back(p.x() < 0.5 ? 0 : 1);
-  const CrackLines lines = plate.lines(width);
+  std::vector<std::array<float, 2>> width;
+  const std::vector<std::int32_t> sides = crack_sides(plate.mesh);
+  const auto at = [&](std::int32_t v) { return plate.mesh.position(v).x() < 0.5 ? 0.0f : 1.0f; };
+  for (const std::int32_t h : sides)
+    width.push_back({at(plate.mesh.from(h)), at(plate.mesh.to(h))});
+  CrackLines lines = plate.lines();
+  set_widths(lines, sides, width);
   const Image image = render_picture(surface(plate.mesh), &lines, plate.options, {});
   EXPECT_GT(brightness(image, 30, 50), 1.5 * brightness(image, 70, 50));
 }

@@ -3,6 +3,7 @@
 
 #include <iterator>
 
+#include "craze/io/mesh_parts.h"
 #include "craze/io/obj.h"
 #include "craze/io/unify_corners.h"
 
@@ -22,7 +23,7 @@ std::string material_name(const SurfaceMesh& mesh, std::int32_t material) {
 
 }  // namespace
 
-std::string format_obj(const SurfaceMesh& mesh) {
+std::string format_obj(const SurfaceMesh& mesh, const std::string& objects) {
   const bool has_uvs = !mesh.corner_uvs.empty(), has_normals = !mesh.corner_normals.empty();
   const UnifiedCorners uvs = unify_corners(mesh, {.uvs = true, .normals = false});
   const UnifiedCorners normals = unify_corners(mesh, {.uvs = false, .normals = true});
@@ -46,7 +47,7 @@ std::string format_obj(const SurfaceMesh& mesh) {
   }
 
   std::int32_t material = -1;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+  const auto add_face = [&](std::size_t f) {
     if (!mesh.face_materials.empty() && mesh.face_materials[f] != material) {
       material = mesh.face_materials[f];
       fmt::format_to(out, "usemtl {}\n", material_name(mesh, material));
@@ -66,6 +67,14 @@ std::string format_obj(const SurfaceMesh& mesh) {
       }
     }
     text += '\n';
+  };
+  if (objects.empty()) {
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) add_face(f);
+    return text;
+  }
+  for (const MeshPart& part : mesh_parts(mesh, objects)) {
+    text += "o " + part.name + "\n";
+    for (const std::int32_t f : part.faces) add_face(f);
   }
   return text;
 }

@@ -25,7 +25,11 @@ struct OpenedMesh {
   SurfaceMesh mesh;
   std::vector<std::int32_t> vertex_of;  ///< #V: the simulation vertex
   std::vector<std::int32_t> face_of;    ///< #F: the simulation face, −1 for walls
-  std::int32_t folded_faces = 0;        ///< faces turned over by the displacement
+  /// Where the surface would have passed through itself it was opened less.
+  std::int32_t limited_vertices = 0;  ///< of the simulation mesh
+  double least_share = 1;             ///< of the opening asked for
+  std::int32_t folded_faces = 0;      ///< faces turned over all the same
+  std::int32_t crossings = 0;         ///< pairs of triangles that cross all the same
 };
 
 /// `displacement` (#V): the accumulated virtual displacement u of each vertex, world axes. The

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "craze/render/noise.h"
+
 namespace craze::render {
 
 namespace {
@@ -17,6 +19,14 @@ constexpr float floor_radius = 2;
 
 Vec3f mirrored(const Vec3f& d, const Vec3f& n) {
   return (d - 2 * d.dot(n) * n).normalized();
+}
+
+/// Off the smooth surface, but never into the triangle.
+Vec3f reflected(const Surface& s) {
+  const Vec3f d = mirrored(s.view, s.normal);
+  const float rises = d.dot(s.geometric);
+  constexpr float least = 0.02f;
+  return rises >= least ? d : Vec3f((d + (least - rises) * s.geometric).normalized());
 }
 
 Ray ray_from(const Vec3f& position, const Vec3f& side, const Vec3f& direction) {
@@ -50,7 +60,7 @@ Surface Tracer::floor_or_backdrop(const Ray& ray) const {
   const float descent = ray.direction.dot(studio_.vertical());
   if (!has_floor_ || descent >= 0) return s;
   const float t = (floor_height_ - ray.origin.dot(studio_.vertical())) / descent;
-  s.position = ray.origin + t * ray.direction;
+  s.position = s.raised = ray.origin + t * ray.direction;
   s.normal = s.geometric = studio_.vertical();
   // Beyond, the floor is as bright as the backdrop and merges with it.
   s.is_floor = s.lit = t > 0 && s.position.norm() < floor_radius;
@@ -97,12 +107,12 @@ void Tracer::light(const Surfaces& surfaces, const PixelSamples& samples, int fi
     if (!s.lit) continue;
     const Vec3f to_lamp =
         cone_direction(studio_.lamp_direction(), studio_.lamp_size(), samples.lamp[first + i]);
-    lamp[i] = ray_from(s.position, s.geometric, to_lamp);
+    lamp[i] = ray_from(s.raised, s.geometric, to_lamp);
     lamp[i].active = to_lamp.dot(s.normal) > 0;
-    sky[i] = ray_from(s.position, s.geometric, cosine_direction(s.normal, samples.sky[first + i]));
+    sky[i] = ray_from(s.raised, s.geometric, cosine_direction(s.normal, samples.sky[first + i]));
     if (s.coat > 0) {
       any_mirror = true;
-      mirror[i] = ray_from(s.position, s.geometric, mirrored(s.view, s.normal));
+      mirror[i] = ray_from(s.raised, s.geometric, reflected(s));
     }
   }
   RayScene::Flags lamp_hidden, sky_hidden, mirror_hidden{};
@@ -131,6 +141,28 @@ void Tracer::light(const Surfaces& surfaces, const PixelSamples& samples, int fi
   }
 }
 
+float Tracer::fissure(const Surface& s, const Vec3f& inside, const LineSample& line,
+                      Vec3f& facet) const {
+  // A crack is a plane that goes down from its line. The ray, on its way into the glass, meets it
+  // where it has come as far sideways as the line is away.
+  const float distance = line.away.norm();
+  if (distance == 0) return 0;
+  const Vec3f across = line.away / distance;
+  const float sideways = -inside.dot(across), down = -inside.dot(s.normal);
+  if (sideways <= 1e-3f || down <= 0) return 0;
+  const float depth = distance * down / sideways;
+  const Vec3f at = s.place - line.away;
+  const float reach = material_.fissure * (0.65f + 0.35f * value_noise(25 * at).value);
+  if (depth >= reach) return 0;
+  // Conchoidal: the plane bends and ripples on its way down.
+  facet = (across + 0.35f * fractal_noise(20 * at + 40 * depth * s.normal, 2).gradient / 20 +
+           0.25f * (value_noise(9 * at).value - 0.3f) * s.normal)
+              .normalized();
+  // Beyond 42 degrees the gap mirrors all light; less where the crack has closed again.
+  const float mirror = 0.22f + 0.7f * smoothstep(0.85f, 0.55f, sideways);
+  return mirror * (1 - smoothstep(0.35f * reach, reach, depth));
+}
+
 Rgb Tracer::through_glass(const Ray& first_ray, const Hit& first_hit, float footprint) const {
   Ray ray = first_ray;
   Hit hit = first_hit;
@@ -141,24 +173,31 @@ Rgb Tracer::through_glass(const Ray& first_ray, const Hit& first_hit, float foot
     const float cosine = std::max(0.02f, -s.normal.dot(s.view));
     const float mirror = fresnel(cosine);
     const float depth = layer == 0 ? 1.0f : 0.6f;
-    seen += depth * mirror * clear * studio_.reflection(mirrored(s.view, s.normal));
+    seen += depth * mirror * clear * studio_.reflection(reflected(s));
     clear *= (1 - mirror) * material_.color.pow(0.6f / std::sqrt(cosine));
 
-    LineSample line = line_at(model_, hit, s.position, footprint);
+    // Bend towards the inside of each layer.
+    const Vec3f bent = (s.view - 0.3f * (1 - cosine) * s.normal).normalized();
+    LineSample line = line_at(model_, hit, s.place, footprint);
     if (model_.is_wall[hit.face]) line.core = 0.3f;
-    // A crack is a bright plane inside the glass: it scatters light and hides what is behind.
-    const float veil =
-        std::clamp(material_.line_strength * line.core + material_.stain * line.stain, 0.0f, 1.0f);
+    Vec3f facet;
+    const float part = fissure(s, bent, line, facet);
+    if (part > 0) {
+      const Rgb glint = studio_.reflection(mirrored(bent, facet)) + 0.2f * material_.line;
+      seen += depth * part * clear * glint;
+      clear *= 1 - part;
+    }
+    // Where it comes to the surface, the crack scatters light.
+    const float veil = std::clamp(material_.line_strength * line.core, 0.0f, 1.0f);
     const float facing = std::abs(s.geometric.dot(studio_.lamp_direction()));
-    seen += depth * veil * clear * material_.line * (0.55f + 0.75f * facing);
+    seen += depth * veil * clear * material_.line * (0.3f + 0.6f * facing);
     clear *= 1 - veil;
 
-    // Bend a little towards the inside of each layer.
-    const Vec3f bent = (s.view - 0.12f * (1 - cosine) * s.normal).normalized();
     ray = ray_from(s.position, -s.geometric, bent);
     hit = scene_.intersect(ray);
   }
-  return seen + clear * (0.8f * backdrop(ray.direction) + 0.2f * studio_.reflection(ray.direction));
+  return seen +
+         clear * (0.75f * backdrop(ray.direction) + 0.25f * studio_.reflection(ray.direction));
 }
 
 Pixel Tracer::trace(int x, int y, int width, int height) const {
@@ -197,7 +236,11 @@ Pixel Tracer::trace(int x, int y, int width, int height) const {
         sum.direct += through_glass(rays[i], hits[i], footprint);
       } else {
         s = surface_at(model_, material_, rays[i], hits[i], footprint);
-        if (!grain) grain = grain_at(material_, s.position);
+        if (!grain) {
+          const std::int32_t face = hits[i].face;
+          grain = grain_at(material_, s.place, model_.pieces.empty() ? 0 : model_.pieces[face],
+                           model_.is_wall[face] != 0);
+        }
         s.albedo *= grain->tint;
         s.normal = (s.normal + grain->tilt - grain->tilt.dot(s.normal) * s.normal).normalized();
       }

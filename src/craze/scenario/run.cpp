@@ -1,5 +1,6 @@
 #include "craze/scenario/run.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -45,6 +46,18 @@ SurfaceMesh load_and_repair(const RunRequest& request, RunReport& report) {
   return surface;
 }
 
+/// A run that is in equilibrium from the start is not wrong, but seldom what was wanted.
+void warn_of_no_stress(const SimulationFields& fields, const SimulationParameters& parameters,
+                       RunReport& report) {
+  const bool none = std::all_of(fields.stress.begin(), fields.stress.end(),
+                                [](const Sym3& sigma) { return sigma.matrix().isZero(0); });
+  const bool grows = parameters.evolution.shrinkage > 0 || !fields.growth.empty();
+  if (!none || grows) return;
+  report.warnings.push_back(
+      "nothing can crack (stress): it is zero everywhere; give stress.uniform, an impact or a "
+      "painted stress that is not");
+}
+
 StopReason crack(Simulation& simulation, const RunRequest& request, const Context& context) {
   if (request.max_cracks == 0) return StopReason::max_cracks;
   return simulation.run(context);
@@ -74,6 +87,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   const SimulationParameters& parameters = report.recipe.simulation;
   TriangleMesh mesh(surface.positions, surface.triangles);
   SimulationFields fields = simulation_fields(prepared, mesh, parameters, context);
+  warn_of_no_stress(fields, parameters, report);
   Simulation simulation(std::move(mesh), std::move(fields), parameters, context);
   report.time.prepare = phase.lap();
 
