@@ -82,6 +82,7 @@ FigurePart make_part(const Figure& figure, std::string_view recipe, const Figure
   const fs::path folder(request.folder);
   run_request.report = (folder / (name + ".json")).string();
   FigurePart part;
+  part.name = name;
   std::string made = name;
   if (figure.kind == FigureKind::frames) {
     run_request.frames = (folder / name).string();
@@ -102,6 +103,12 @@ FigurePart make_part(const Figure& figure, std::string_view recipe, const Figure
   return part;
 }
 
+std::string stand_in_note(const FigureResult& result) {
+  if (!result.stands_in) return "";
+  return fmt::format(" The shape `{}` stands in for {}, which may not be shipped.",
+                     result.figure->shape, result.figure->mesh);
+}
+
 }  // namespace
 
 FigureResult make_figure(const Figure& figure, const FigureRequest& request,
@@ -115,7 +122,11 @@ FigureResult make_figure(const Figure& figure, const FigureRequest& request,
   if (figure.kind == FigureKind::diagram) {
     const std::string file = fmt::format("{}.svg", figure.name);
     write_file(fs::path(request.folder) / file, snapping_diagram(), "cannot write the diagram");
-    result.parts.push_back({{file}, fmt::format("craze figures {} -o .", figure.name), 0, 0});
+    result.parts.push_back({std::string(figure.name),
+                            {file},
+                            fmt::format("craze figures {} -o .", figure.name),
+                            0,
+                            0});
     return result;
   }
   result.stands_in = !figure.mesh.empty() && input_of(figure, request.meshes) == figure.shape;
@@ -127,25 +138,27 @@ FigureResult make_figure(const Figure& figure, const FigureRequest& request,
 }
 
 std::string figure_page(const std::vector<FigureResult>& results) {
-  std::string page =
-      "| figure | what | picture | triangles | paper's | time | paper's | command |\n"
-      "|---|---|---|---|---|---|---|---|\n";
+  std::string table =
+      "| figure | triangles here | in the paper | seconds here | in the paper | command |\n"
+      "|---|---|---|---|---|---|\n";
+  std::string pictures;
   for (const FigureResult& result : results) {
     const Figure& figure = *result.figure;
+    pictures += fmt::format("\n## Fig. {}: {}\n{}.{}\n\n", figure.number, figure.name, figure.title,
+                            stand_in_note(result));
     for (const FigurePart& part : result.parts) {
-      std::string pictures;
-      for (const std::string& file : part.pictures) pictures += fmt::format("![]({}) ", file);
       const bool simulated = part.triangles > 0;
-      page += fmt::format(
-          "| {} {} | {}{} | {}| {} | {} | {} | {} | `{}` |\n", figure.number, figure.name,
-          figure.title,
-          result.stands_in ? fmt::format("; {} stands in for {}", figure.shape, figure.mesh) : "",
-          pictures, simulated ? fmt::format("{}", part.triangles) : "",
+      table += fmt::format(
+          "| {} {} | {} | {} | {} | {} | `{}` |\n", figure.number, part.name,
+          simulated ? fmt::format("{}", part.triangles) : "",
           figure.paper_triangles > 0 ? fmt::format("{}", figure.paper_triangles) : "",
-          simulated ? fmt::format("{:.1f} s", part.seconds) : "", figure.paper_time, part.command);
+          simulated ? fmt::format("{:.1f}", part.seconds) : "", figure.paper_time, part.command);
+      for (const std::string& file : part.pictures) {
+        pictures += fmt::format("![{}]({})\n", part.name, file);
+      }
     }
   }
-  return page;
+  return table + pictures;
 }
 
 }  // namespace craze

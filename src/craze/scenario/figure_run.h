@@ -19,6 +19,7 @@ struct FigureRequest {
 
 /// One picture or series of frames, and the run behind it.
 struct FigurePart {
+  std::string name;                   ///< of the figure, or of the recipe where it has several
   std::vector<std::string> pictures;  ///< files in the folder
   std::string command;                ///< what makes the same picture
   std::int64_t triangles = 0;         ///< of the simulation mesh, before the first crack
@@ -37,7 +38,8 @@ struct FigureResult {
 FigureResult make_figure(const Figure& figure, const FigureRequest& request,
                          const Context& context);
 
-/// A Markdown table of what was made: number, name, command, triangles, time here and in the paper.
+/// Markdown: a table of what was made (triangles and time here and in the paper, command), then the
+/// pictures, each under its figure's title. Says where a shape stands in.
 std::string figure_page(const std::vector<FigureResult>& results);
 
 }  // namespace craze
