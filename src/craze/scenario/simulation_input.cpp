@@ -214,7 +214,7 @@ SimulationFields simulation_fields(const SimulationSurface& surface, const Trian
   fields.adhesion_scale = adhesion_scale(mesh, p, input);
   fields.preferred = preferred_per_face(mesh, p, context);
   fields.fixed = held_vertices(mesh, p.boundary, input);
-  fields.pinned = pinned_vertices(surface, mesh, p.crack);
+  fields.pinned = pinned_vertices(surface.mesh, mesh, p.crack);
   return fields;
 }
 
