@@ -1,8 +1,11 @@
 // The README keeps its word: its commands run, one after the other, and its links lead somewhere.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <regex>
 
 #include "app/command.h"
+#include "craze/scenario/figure_table.h"
 
 namespace craze {
 namespace {
@@ -44,6 +47,56 @@ TEST_F(Readme, EveryCommandRunsAndWritesItsFiles) {
                           call[i] == "--report" || call[i] == "--fields";
       if (!output) continue;
       EXPECT_TRUE(std::filesystem::exists(file(call[i + 1]))) << text << ": no " << call[i + 1];
+    }
+  }
+}
+
+/// The arguments of a command line, single quotes taken off.
+std::vector<std::string> shell_words(const std::string& line) {
+  std::vector<std::string> words(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '\'') {
+      quoted = !quoted;
+    } else if (c == ' ' && !quoted) {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
+using ControlsPage = CommandTest;
+
+TEST_F(ControlsPage, EveryCommandRunsAndItsPictureIsThere) {
+  std::filesystem::create_directory_symlink(root / "docs/paint", file("paint"));
+  std::filesystem::create_directories(file("images/controls"));
+  const std::string page = read_text(root / "docs/controls.md");
+  const std::regex row(R"(!\[\]\((images/[^)]+)\).*`craze ([^`]+)`)");
+  int rows = 0;
+  for (std::sregex_iterator at(page.begin(), page.end(), row), end; at != end; ++at, ++rows) {
+    const std::string picture = (*at)[1];
+    std::vector<std::string> call = shell_words((*at)[2]);
+    call.insert(call.end(), {"--max-cracks", "0", "--width", "32", "--height", "24"});
+    const CommandResult result = run(call);
+    EXPECT_EQ(result.code, 0) << (*at)[2] << "\n" << result.err;
+    EXPECT_TRUE(std::filesystem::exists(file(picture))) << (*at)[2] << ": no " << picture;
+    EXPECT_TRUE(std::filesystem::exists(root / "docs" / picture)) << picture;
+  }
+  EXPECT_GT(rows, 20);
+}
+
+TEST(Gallery, ShowsEveryFigureWithItsCommand) {
+  const std::string page = read_text(root / "docs/gallery.md");
+  for (const Figure& figure : figure_table()) {
+    EXPECT_NE(page.find(fmt::format("## Fig. {}: {}\n", figure.number, figure.name)),
+              std::string::npos)
+        << figure.name;
+    for (const std::string_view recipe : figure.recipes) {
+      EXPECT_NE(page.find(fmt::format("--recipe recipes/figures/{}.toml", recipe)),
+                std::string::npos)
+          << recipe;
     }
   }
 }
