@@ -21,8 +21,8 @@ inline Simulation cracked(const std::string& shape, const std::string& preset = 
   RepairReport report;
   SurfaceMesh input = repair(make_shape(shape), {}, report);
   recipe.simulation = resolve_lengths(recipe.simulation, bounding_diagonal(input.positions));
-  const SurfaceMesh surface = simulation_surface(std::move(input), recipe, {});
-  TriangleMesh mesh(surface.positions, surface.triangles);
+  const SimulationSurface surface = simulation_surface(std::move(input), recipe, {});
+  TriangleMesh mesh(surface.mesh.positions, surface.mesh.triangles);
   SimulationFields fields = simulation_fields(surface, mesh, recipe.simulation, {});
   Simulation simulation(std::move(mesh), std::move(fields), recipe.simulation, {});
   simulation.run({});
