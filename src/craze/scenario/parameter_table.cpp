@@ -205,7 +205,10 @@ std::vector<Parameter> make_table() {
       .add("near_vertex", &CrackParameters::near_vertex, any,
            {.help = "within snap_angle of an edge: \"snap\" bends the crack to the edge, \"slide\" "
                     "moves the edge's end onto the crack, so that cracks do not see the mesh",
-            .choices = {"snap", "slide"}});
+            .choices = {"snap", "slide"}})
+      .add("stride", &CrackParameters::stride, not_negative,
+           {.help = "how far a crack runs straight on before equilibrium is sought again, as a "
+                    "multiple of the screening length; 0: one edge (quasistatic)"});
 
   Section(
       t, "post.", [](auto& r, std::size_t) -> auto& { return r.post; })
