@@ -126,6 +126,7 @@ TEST(Equilibrium, CracksFollowEachOtherAsWhenEverythingIsSolvedAfterEachOne) {
     p.crack.stride = 0;
     p.evolution.load_step = 0;
     p.evolution.residual = 1e-5;
+    p.evolution.max_load = 4;
     constexpr int events = 40;
     p.evolution.max_cracks = events;
     p.layer.screening_length = 0.2;
