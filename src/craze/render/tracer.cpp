@@ -184,7 +184,7 @@ Rgb Tracer::through_glass(const Ray& first_ray, const Hit& first_hit, float foot
     const float part = fissure(s, bent, line, facet);
     if (part > 0) {
       const Rgb glint = studio_.reflection(mirrored(bent, facet)) + 0.2f * material_.line;
-      seen += depth * part * clear * glint;
+      seen += 1.5f * depth * part * clear * glint;
       clear *= 1 - part;
     }
     // Where it comes to the surface, the crack scatters light.
@@ -197,7 +197,7 @@ Rgb Tracer::through_glass(const Ray& first_ray, const Hit& first_hit, float foot
     hit = scene_.intersect(ray);
   }
   return seen +
-         clear * (0.75f * backdrop(ray.direction) + 0.25f * studio_.reflection(ray.direction));
+         clear * (0.85f * backdrop(ray.direction) + 0.25f * studio_.reflection(ray.direction));
 }
 
 Pixel Tracer::trace(int x, int y, int width, int height) const {
