@@ -53,7 +53,8 @@ TEST(Curl, BelowZeroTheEdgesGoDown) {
   const CrackSites sites = crack_sites(mesh);
   const OpenedMesh opened = open_cracks(mesh, u, {.gap = 0.5, .curl = -0.4});
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (sites.site_of[v] >= 0) EXPECT_NEAR(opened.mesh.positions[v].z(), -0.4 * 0.01, 1e-12);
+    if (sites.site_of[v] < 0) continue;
+    EXPECT_NEAR(opened.mesh.positions[v].z(), -0.4 * 0.01, 1e-12);
   }
 }
 
