@@ -87,12 +87,14 @@ void add_camera(CLI::App& verb, render::PictureOptions& picture) {
       ->type_name("X Y Z")
       ->expected(3)
       ->group(group);
-  verb.add_option("--up", picture.view.up, "auto, x, y or z")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, render::UpAxis>{{"auto", render::UpAxis::automatic},
-                                                {"x", render::UpAxis::x},
-                                                {"y", render::UpAxis::y},
-                                                {"z", render::UpAxis::z}}))
+  const std::map<std::string, render::UpAxis> axes{{"auto", render::UpAxis::automatic},
+                                                   {"x", render::UpAxis::x},
+                                                   {"y", render::UpAxis::y},
+                                                   {"z", render::UpAxis::z}};
+  verb.add_option_function<std::string>(
+          "--up", [&picture, axes](const std::string& axis) { picture.view.up = axes.at(axis); },
+          "auto, x, y or z")
+      ->check(CLI::IsMember({"auto", "x", "y", "z"}).description(""))
       ->type_name("AXIS")
       ->group(group);
 }
@@ -121,7 +123,9 @@ void add_scene(CLI::App& verb, Options& options) {
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str()
       ->group(group);
-  verb.add_flag("!--no-ground", picture.ground, "No floor that catches the shadow")->group(group);
+  verb.add_flag_callback(
+          "--no-ground", [&picture] { picture.ground = false; }, "No floor that catches the shadow")
+      ->group(group);
   verb.add_option("--background", options.background, "A colour as RRGGBB; by the material")
       ->type_name("RRGGBB")
       ->group(group);
