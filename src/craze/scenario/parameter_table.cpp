@@ -221,7 +221,7 @@ std::vector<Parameter> make_table() {
             .unit = "length",
             .source = "[IO06 §5]"})
       .add("curl", &PostParameters::curl, any,
-           {.help = "lift of the crack edges, as a share of their displacement",
+           {.help = "lift of the crack edges, as a share of their displacement; below 0: down",
             .source = "[IO06 §5, Fig. 9]"});
 
   Section(
