@@ -49,12 +49,14 @@ int render_mesh(Options& options) {
 void add_scene(CLI::App& verb, Options& options) {
   const char* group = "Scene";
   render::PictureOptions& picture = options.picture;
-  verb.add_option("--up", picture.view.up, "auto, x, y or z")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, render::UpAxis>{{"auto", render::UpAxis::automatic},
-                                                {"x", render::UpAxis::x},
-                                                {"y", render::UpAxis::y},
-                                                {"z", render::UpAxis::z}}))
+  const std::map<std::string, render::UpAxis> axes{{"auto", render::UpAxis::automatic},
+                                                   {"x", render::UpAxis::x},
+                                                   {"y", render::UpAxis::y},
+                                                   {"z", render::UpAxis::z}};
+  verb.add_option_function<std::string>(
+          "--up", [&picture, axes](const std::string& axis) { picture.view.up = axes.at(axis); },
+          "auto, x, y or z")
+      ->check(CLI::IsMember({"auto", "x", "y", "z"}).description(""))
       ->type_name("AXIS")
       ->group(group);
   verb.add_option("--material", options.material, "clay, mud, glaze, plaster, glass or paint")
@@ -78,7 +80,9 @@ void add_scene(CLI::App& verb, Options& options) {
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str()
       ->group(group);
-  verb.add_flag("!--no-ground", picture.ground, "No floor that catches the shadow")->group(group);
+  verb.add_flag_callback(
+          "--no-ground", [&picture] { picture.ground = false; }, "No floor that catches the shadow")
+      ->group(group);
   verb.add_option("--background", options.background, "A colour as RRGGBB; by the material")
       ->type_name("RRGGBB")
       ->group(group);

@@ -100,8 +100,10 @@ TEST(SimulationMesh, ALowPolyAssetKeepsItsTextureAndMaterials) {
     SimulationFields fields = simulation_fields(surface, mesh, recipe.simulation, {});
     Simulation simulation(std::move(mesh), std::move(fields), recipe.simulation, {});
     simulation.run({});
+    const CrackSchedule schedule =
+        crack_schedule(simulation.mesh(), crack_sites(simulation.mesh()), simulation.network());
     const SurfaceMesh output =
-        output_surface(surface.mesh, simulation, find_components(simulation.mesh()));
+        output_surface(surface.mesh, simulation, schedule, find_components(simulation.mesh()));
 
     const test::TextureShift shift = test::texture_shift(asset, output);
     // At a pole of the texture, where all columns meet, a triangle's own UVs are of no use.

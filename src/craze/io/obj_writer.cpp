@@ -11,6 +11,9 @@ namespace craze {
 
 namespace {
 
+/// From here on, an alpha is 1 but for rounding.
+constexpr float opaque = 1 - 1.0f / 512;
+
 /// What `usemtl` can carry: one line, and a name at all.
 std::string material_name(const SurfaceMesh& mesh, std::int32_t material) {
   if (material < 0) return "(null)";
@@ -37,7 +40,8 @@ std::string format_obj(const SurfaceMesh& mesh, const std::string& objects) {
     if (!mesh.vertex_colors.empty()) {
       const Color& c = mesh.vertex_colors[v];
       fmt::format_to(out, FMT_COMPILE(" {} {} {}"), c[0], c[1], c[2]);
-      if (c[3] != 1) fmt::format_to(out, FMT_COMPILE(" {}"), c[3]);
+      // Other readers give up at a seventh number: only where it says something.
+      if (c[3] < opaque) fmt::format_to(out, FMT_COMPILE(" {}"), c[3]);
     }
     text += '\n';
   }

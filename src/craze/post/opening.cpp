@@ -24,7 +24,7 @@ void check(const TriangleMesh& mesh, const std::vector<Vec3>& displacement,
   const auto is_length = [](double x) { return std::isfinite(x) && x >= 0; };
   require(is_length(options.gap), "gap", "must be finite and not negative");
   require(is_length(options.wall), "wall", "must be finite and not negative");
-  require(is_length(options.curl), "curl", "must be finite and not negative");
+  require(std::isfinite(options.curl), "curl", "must be finite");
   require(is_length(options.curl_length), "curl_length", "must be finite and not negative");
 }
 
@@ -69,7 +69,7 @@ OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displa
   const CrackSites sites = crack_sites(mesh);
   const std::vector<Vec3> normals = vertex_normals(mesh, sites);
   std::vector<Vec3> shift = shifts(mesh, sites, displacement, options);
-  if (options.curl > 0) add_curl(mesh, sites, normals, options, shift);
+  if (options.curl != 0) add_curl(mesh, sites, normals, options, shift);
 
   SideWalls walls;
   if (options.wall > 0) {

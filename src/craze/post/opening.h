@@ -12,7 +12,7 @@ namespace craze {
 struct OpeningOptions {
   double gap = 0;            ///< γ of Eq. 9; 0: the cracks stay shut
   double wall = 0;           ///< depth of the side walls, length; 0: none
-  double curl = 0;           ///< lift of the crack's edges, as a part of their displacement
+  double curl = 0;           ///< lift of the crack's edges over their displacement; below 0: down
   double curl_length = 0;    ///< how far the lift reaches inwards; 0: by the spacing of the cracks
   bool border_wall = true;   ///< walls along the border of the input too: a sheet becomes a slab
   bool keep_border = false;  ///< border vertices that are on no crack stay where they are

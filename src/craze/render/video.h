@@ -1,8 +1,6 @@
 // Pictures one after the other, as a video: by ffmpeg, where it is installed.
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdio>
 #include <string>
 
@@ -35,7 +33,7 @@ class Video {
 
   std::string path_, partial_;
   int input_ = -1;
-  pid_t process_ = -1;
+  int process_ = -1;  ///< the system's number of it
   std::FILE* messages_ = nullptr;
 };
 

@@ -13,14 +13,14 @@ namespace craze {
 
 GrowthScene::GrowthScene(const RunRequest& request, const Simulation& simulation,
                          const SurfaceMesh& surface, const ShownSurface& shown,
-                         const CrackNetwork& network)
+                         const CrackSites& sites, const CrackSchedule& schedule)
     : request_(request),
       simulation_(simulation),
       surface_(surface),
       shown_(shown),
-      sites_(crack_sites(simulation.mesh())),
-      schedule_(crack_schedule(simulation.mesh(), sites_, network)),
-      motion_(simulation.mesh(), sites_, schedule_, shown.opened) {}
+      sites_(sites),
+      schedule_(schedule),
+      motion_(simulation.mesh(), sites, schedule, shown.opened) {}
 
 MorphAnimation GrowthScene::animation() const {
   MorphAnimation animation;

@@ -16,7 +16,7 @@ class GrowthScene {
  public:
   /// `surface` is what the simulation started with.
   GrowthScene(const RunRequest& request, const Simulation& simulation, const SurfaceMesh& surface,
-              const ShownSurface& shown, const CrackNetwork& network);
+              const ShownSurface& shown, const CrackSites& sites, const CrackSchedule& schedule);
 
   /// The shown mesh as it opens, in the stages that the request asks for.
   MorphAnimation animation() const;
@@ -37,8 +37,8 @@ class GrowthScene {
   const Simulation& simulation_;
   const SurfaceMesh& surface_;
   const ShownSurface& shown_;
-  CrackSites sites_;
-  CrackSchedule schedule_;
+  const CrackSites& sites_;
+  const CrackSchedule& schedule_;
   GrowthMotion motion_;
 };
 

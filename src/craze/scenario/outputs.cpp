@@ -53,10 +53,12 @@ void write_picture(const RunRequest& request, const ShownSurface& shown, const S
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
 void write_mesh_and_growth(const RunRequest& request, const ShownSurface& shown,
                            const SurfaceMesh& surface, const Simulation& simulation,
-                           const CrackNetwork& network, const Context& context) {
+                           const CrackSites& sites, const CrackSchedule& schedule,
+                           const Context& context) {
   const bool frames = !request.frames.empty() || !request.video.empty();
   std::optional<GrowthScene> scene;
-  if (request.animate || frames) scene.emplace(request, simulation, surface, shown, network);
+  if (request.animate || frames)
+    scene.emplace(request, simulation, surface, shown, sites, schedule);
   if (!request.output.empty()) {
     MorphAnimation animation;
     if (request.animate) animation = scene->animation();
@@ -77,11 +79,13 @@ void write_outputs(const RunRequest& request, const SurfaceMesh& surface,
   const Components fragments = find_components(mesh);
   report.cracks = {simulation.events(), simulation.segments(), total_length(network),
                    fragments.count};
-  const SurfaceMesh cut = output_surface(surface, simulation, fragments);
+  const CrackSites sites = crack_sites(mesh);
+  const CrackSchedule schedule = crack_schedule(mesh, sites, network);
+  const SurfaceMesh cut = output_surface(surface, simulation, schedule, fragments);
   const ShownSurface shown = shown_surface(cut, simulation, request.recipe.post);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
-  write_mesh_and_growth(request, shown, surface, simulation, network, context);
+  write_mesh_and_growth(request, shown, surface, simulation, sites, schedule, context);
   if (!request.lines.empty()) write_lines(request.lines, network_lines(network, surface));
   if (!request.fields.empty()) {
     const double radius = request.recipe.simulation.stress.curvature_radius;
