@@ -33,10 +33,10 @@ std::string shape_help();
 
 /// Makes the shape of a specification like `plate?n=99&jitter=0.3` (no `shape:` in front). The
 /// surface is manifold and consistently oriented: outward where it is closed, towards +z where it
-/// is flat. Solids have their axis along z; every shape but `cup`, `bowl` and `drape` (which stand on z = 0)
-/// is centred at the origin. UVs lie in 0 … 1 and do not overlap; round shapes carry the corner
-/// normals of the smooth surface. Throws Error(usage) for an unknown name or key, a value that is
-/// not a number or out of range.
+/// is flat. Solids have their axis along z; every shape but `cup`, `bowl` and `drape` (which stand
+/// on z = 0) is centred at the origin. UVs lie in 0 … 1 and do not overlap; round shapes carry the
+/// corner normals of the smooth surface. Throws Error(usage) for an unknown name or key, a value
+/// that is not a number or out of range.
 SurfaceMesh make_shape(std::string_view specification);
 
 }  // namespace craze
