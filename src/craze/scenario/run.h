@@ -32,8 +32,8 @@ struct RunRequest {
   bool split_fragments = false;      ///< `output`, .obj or .glb, has an object per fragment
   /// How pictures are taken. Material and upward axis are the recipe's.
   render::PictureOptions shot;
-  std::string fields;                ///< stress, forces and curvatures at the end: .ply
-  std::string report;                ///< .json, or "-": only in the result
+  std::string fields;  ///< stress, forces and curvatures at the end: .ply
+  std::string report;  ///< .json, or "-": only in the result
 };
 
 struct RunResult {
