@@ -31,11 +31,21 @@ double total_length(const CrackNetwork& network) {
   return length;
 }
 
+bool opens(const PostParameters& post) {
+  return post.gap != 0 || post.wall != 0 || post.curl != 0;
+}
+
+/// Whether anything asked for, or the count of its triangles, needs the surface itself.
+bool shows_surface(const RunRequest& request) {
+  return !request.output.empty() || !request.picture.empty() || !request.frames.empty() ||
+         opens(request.recipe.post);
+}
+
 /// The mesh that is shown: cut, and opened where the recipe asks for it.
 SurfaceMesh shown_surface(const SurfaceMesh& cut_surface, const Simulation& simulation,
                           const Recipe& recipe) {
   const PostParameters& post = recipe.post;
-  if (post.gap == 0 && post.wall == 0 && post.curl == 0) return cut_surface;
+  if (!opens(post)) return cut_surface;
   const TriangleMesh& mesh = simulation.mesh();
   std::vector<Vec3> displacement(static_cast<std::size_t>(mesh.vertex_count()));
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -109,9 +119,14 @@ void write_outputs(const RunRequest& request, const SurfaceMesh& surface,
   const Components fragments = find_components(mesh);
   report.cracks = {simulation.events(), simulation.segments(), total_length(network),
                    fragments.count};
-  const SurfaceMesh cut = output_surface(surface, simulation, fragments);
-  const SurfaceMesh shown = shown_surface(cut, simulation, request.recipe);
-  report.output = count_mesh(shown);
+  SurfaceMesh cut, shown;
+  if (shows_surface(request)) {
+    cut = output_surface(surface, simulation, fragments);
+    shown = shown_surface(cut, simulation, request.recipe);
+    report.output = count_mesh(shown);
+  } else {
+    report.output = {mesh.vertex_count(), mesh.face_count()};
+  }
   if (!request.output.empty()) write_mesh(request.output, shown);
   if (!request.lines.empty()) write_lines(request.lines, network_lines(network, surface));
   if (!request.fields.empty()) {
