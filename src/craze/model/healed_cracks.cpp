@@ -14,8 +14,8 @@ constexpr double reach = 3;
 
 }  // namespace
 
-HealedCracks::HealedCracks(const CrackNetwork& network, double regained, double width)
-    : width_(width), excess_(1 / std::sqrt(regained) - 1) {
+HealedCracks::HealedCracks(const CrackNetwork& network, double ratio, double width)
+    : root_(std::sqrt(ratio)), width_(width) {
   double longest = 0;
   for (const CrackEdge& e : network.edges) {
     const CrackNode &a = network.nodes[e.a], &b = network.nodes[e.b];
@@ -33,7 +33,7 @@ HealedCracks::HealedCracks(const CrackNetwork& network, double regained, double 
 }
 
 Mat3 HealedCracks::weakness(const Vec3& position) const {
-  Mat3 sum = Mat3::Identity();
+  Mat3 sum = root_ * Mat3::Identity();
   const double scale = 1 / (std::sqrt(2.0) * width_);
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
@@ -48,7 +48,7 @@ Mat3 HealedCracks::weakness(const Vec3& position) const {
           if (across > reach * reach / 2) continue;
           const double g = std::exp(-across) / 2 *
                            (std::erf(scale * along) - std::erf(scale * (along - p.length)));
-          sum += excess_ * g * p.normal * p.normal.transpose();
+          sum += (1 - root_) * g * p.normal * p.normal.transpose();
         }
       }
     }
@@ -60,13 +60,12 @@ WeakPlane HealedCracks::weakest_plane(const Vec3& position, const Sym3& separati
   // With n̂ = W m / |W m| the ratio is mᵀ W ς W m / mᵀ m, so m is an eigenvector of W ς W.
   const Mat3 w = weakness(position);
   const Mat3 driven = w * separation.matrix() * w;
-  const Eigenpair top = largest_eigenpair({driven(0, 0), driven(1, 1), driven(2, 2),
-                                           0.5 * (driven(0, 1) + driven(1, 0)),
-                                           0.5 * (driven(1, 2) + driven(2, 1)),
-                                           0.5 * (driven(2, 0) + driven(0, 2))});
+  const Eigenpair top = largest_eigenpair(
+      {driven(0, 0), driven(1, 1), driven(2, 2), 0.5 * (driven(0, 1) + driven(1, 0)),
+       0.5 * (driven(1, 2) + driven(2, 1)), 0.5 * (driven(2, 0) + driven(0, 2))});
   const Vec3 normal = w * top.vector;
   const double squared = normal.squaredNorm();
-  const double norm = w.trace() - 2;  // no eigenvalue of W is greater, none smaller than 1
+  const double norm = w.trace() - 2 * root_;  // no eigenvalue of W is greater, none less than √r
   return {{top.value / squared, normal / std::sqrt(squared)}, 1 / squared, norm * norm / squared};
 }
 

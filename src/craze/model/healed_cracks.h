@@ -19,19 +19,21 @@ namespace craze {
 struct WeakPlane {
   Eigenpair plane;         ///< n̂ and n̂ᵀ ς n̂
   double strength = 1;     ///< the factor on strength and toughness across it
-  double sensitivity = 1;  ///< n̂ᵀ ς n̂ / strength changes by at most this times a change of ς
+  /// The greatest n̂ᵀ ς n̂ / strength changes by at most sensitivity / strength times a change of ς.
+  double sensitivity = 1;
 };
 
 /// Strength and toughness across a plane with unit normal n̂ are multiplied by n̂ᵀ W⁻² n̂, with
-/// W = I + (1/√r − 1) Σ g n̂ᵢ n̂ᵢᵀ over the healed pieces of crack. n̂ᵢ is the piece's normal in the
+/// W = √r I + (1 − √r) Σ g n̂ᵢ n̂ᵢᵀ over the healed pieces of crack. n̂ᵢ is the piece's normal in the
 /// surface, g the convolution of the piece with a normal law of deviation w, scaled to be 1 on a
-/// long straight crack. So a plane along an old straight crack has r of the strength, one square
-/// to it all of it, and where cracks met both directions are weak.
+/// long straight crack. So a plane along an old straight crack has the strength that the layer had
+/// when it first cracked, one square to it or away from it 1/r of that, and where cracks met both
+/// directions are weak.
 class HealedCracks {
  public:
   HealedCracks() = default;
-  /// regained: r, 0 < r ≤ 1. width: w > 0, length.
-  HealedCracks(const CrackNetwork& network, double regained, double width);
+  /// ratio: r, 0 < r ≤ 1. width: w > 0, length.
+  HealedCracks(const CrackNetwork& network, double ratio, double width);
 
   bool empty() const { return pieces_.empty(); }
   /// W at a point.
@@ -47,7 +49,7 @@ class HealedCracks {
   using Cell = std::uint64_t;
   Cell cell_of(const Vec3& p, int dx, int dy, int dz) const;
 
-  double width_ = 0, excess_ = 0;  // w, 1/√r − 1
+  double root_ = 1, width_ = 0;  // √r, w
   double cell_size_ = 1;
   std::vector<Piece> pieces_;
   std::unordered_map<Cell, std::vector<std::int32_t>> cells_;  // by the cell of their middle

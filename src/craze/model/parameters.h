@@ -76,7 +76,7 @@ struct EvolutionParameters {
   double residual = 0.02;       ///< force left on a node over the force at which it fails
   std::int64_t max_cracks = 0;  ///< 0: no limit
   std::int64_t cycles = 1;      ///< times the layer cracks; it heals in between
-  double healing = 0.3;         ///< strength across a healed crack over that of the whole layer
+  double healing = 0.3;         ///< strength across a healed crack over that around it
   double scar_width = 0.3;      ///< of a healed crack's weakness, standard deviation over ℓ
 };
 

@@ -24,8 +24,8 @@ LastCycle before_first_crack(const SurfaceMesh& surface, const SimulationParamet
 /// Cracks `surface` evolution.cycles times. Each cycle starts whole, at load 0, with the noise and
 /// scatter of its own seed (the first with that of the recipe), and weakened across the cracks of
 /// the cycle before (healed_cracks.h). A cycle that the context cancels or that reaches max_cracks
-/// is the last. Wants resolved parameters. Throws Error(request) where the layer has no adhesion and
-/// there are several cycles.
+/// is the last. Wants resolved parameters. Throws Error(request) where the layer has no adhesion
+/// and there are several cycles.
 LastCycle run_cycles(const SurfaceMesh& surface, const SimulationParameters& parameters,
                      const Context& context);
 

@@ -185,7 +185,9 @@ std::vector<Parameter> make_table() {
            {.help = "times the layer cracks; in between it heals, and the last cycle is the result",
             .source = "Goehring et al. 2010"})
       .add("healing", &EvolutionParameters::healing, positive_share,
-           {.help = "strength across a healed crack, over that of the layer; 1: nothing remembered"})
+           {.help =
+                "strength across a healed crack, over that of the layer around it; 1: nothing is "
+                "remembered"})
       .add("scar_width", &EvolutionParameters::scar_width, positive,
            {.help = "half width of the weak strip that a healed crack leaves, over the screening "
                     "length"});
