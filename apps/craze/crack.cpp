@@ -4,6 +4,7 @@
 #include "app.h"
 #include "craze/scenario/presets.h"
 #include "craze/scenario/run.h"
+#include "error_line.h"
 #include "interrupt.h"
 #include "progress_line.h"
 
@@ -51,6 +52,11 @@ int crack(Options& options) {
     context.cancelled = was_interrupted;
     result = run(options.request, context);
   }
+  if (!options.quiet) {
+    for (const auto& warning : result.report["warnings"]) {
+      print_warning(warning.get<std::string>());
+    }
+  }
   int code = done;
   if (options.request.report == "-") code = print(result.report.dump(2) + "\n");
   return result.cancelled ? interrupted : code;
@@ -65,7 +71,29 @@ void add_outputs(CLI::App& verb, RunRequest& request) {
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--picture", request.picture, "A picture: .png")->type_name("FILE")->group(group);
-  verb.add_option("--frames", request.frames, "Pictures of the growth: DIR/frame_0000.png ...")
+  verb.add_flag("--fragments", request.split_fragments,
+                "In -o, .obj or .glb: each fragment an object of its own")
+      ->group(group);
+  verb.add_option("--report", request.report, "What was done, as JSON; -: to standard output")
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_option("--fields", request.fields, "Stress, forces and curvatures at the end: .ply")
+      ->type_name("FILE")
+      ->group(group);
+}
+
+void add_growth(CLI::App& verb, RunRequest& request) {
+  const char* group = "Growth";
+  verb.add_flag("--animate", request.animate,
+                "In -o, .glb: the cracks open one after the other, in any viewer; needs post.gap")
+      ->group(group);
+  verb.add_option("--stages", request.animation_stages,
+                  "Morph targets of --animate; some old viewers know only 8")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--frames", request.frames, "One file per moment: DIR/frame_0000.png ...")
       ->type_name("DIR")
       ->group(group);
   verb.add_option("--frame-count", request.frame_count, "How many frames")
@@ -73,11 +101,18 @@ void add_outputs(CLI::App& verb, RunRequest& request) {
       ->check(CLI::Range(1, 9999))
       ->capture_default_str()
       ->group(group);
-  verb.add_option("--report", request.report, "What was done, as JSON; -: to standard output")
+  verb.add_option("--frame-format", request.frame_format,
+                  "png: pictures; ply, obj, stl or glb: meshes, all with the same triangles")
+      ->type_name("EXT")
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--video", request.video, "The frames as a video, .mp4 or .webm; needs ffmpeg")
       ->type_name("FILE")
       ->group(group);
-  verb.add_option("--fields", request.fields, "Stress, forces and curvatures at the end: .ply")
-      ->type_name("FILE")
+  verb.add_option("--seconds", request.clip_seconds, "Length of --animate and --video")
+      ->type_name("S")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str()
       ->group(group);
 }
 
@@ -91,6 +126,7 @@ void add_crack(CLI::App& app, Action& action) {
       ->required()
       ->type_name("");
   add_outputs(*verb, options->request);
+  add_growth(*verb, options->request);
   verb->add_option("--material", options->material,
                    "What the picture shows: clay, mud, glaze, plaster, glass or paint")
       ->type_name("NAME")
@@ -119,6 +155,10 @@ void add_crack(CLI::App& app, Action& action) {
       "  craze crack cup.obj -o cracked.glb --preset glaze\n"
       "  craze crack shape:plate?n=99 -o mud.ply --preset mud --lines mud.svg --report mud.json\n"
       "  craze crack scan.ply -o scan_cracked.ply --set stress.attribute=paint --seed 7\n"
+      "  craze crack shape:plate -o grow.glb --preset mud --set post.gap=0.15 --set post.wall=0.02 "
+      "--animate\n"
+      "  craze crack shape:cup --video grow.mp4 --frame-count 96\n"
+      "  craze crack vase.obj -o pieces.glb --fragments\n"
       "Ctrl-C stops, writes what was asked for and exits with 130; a second one kills.");
   verb->callback([options, &action] { action = [options] { return crack(*options); }; });
 }

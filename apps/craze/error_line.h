@@ -9,4 +9,7 @@ namespace craze::app {
 /// on a terminal unless NO_COLOR is set.
 void print_error(const std::string& message);
 
+/// The same for what was done, but not as asked: "craze: warning: MESSAGE", in yellow.
+void print_warning(const std::string& message);
+
 }  // namespace craze::app

@@ -1,4 +1,5 @@
 // craze render MESH: a picture of a mesh and of the cracks in it.
+#include <map>
 #include <memory>
 
 #include "app.h"
@@ -14,14 +15,26 @@ namespace craze::app {
 namespace {
 
 struct Options {
-  std::string input, output, material = "clay";
+  std::string input, output, material = "clay", background;
   render::PictureOptions picture;
   int threads = 0;
   bool quiet = false;
 };
 
+render::Rgb color_of(const std::string& text) {
+  const bool hexadecimal =
+      text.size() == 6 && text.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+  if (!hexadecimal) {
+    throw Error(ErrorKind::usage, "wrong colour", "--background " + text,
+                "six hexadecimal digits are wanted, such as 606a78");
+  }
+  const int rgb = std::stoi(text, nullptr, 16);
+  return render::from_srgb(rgb >> 16, rgb >> 8 & 255, rgb & 255);
+}
+
 int render_mesh(Options& options) {
   options.picture.material = render::find_material(options.material);
+  if (!options.background.empty()) options.picture.backdrop = color_of(options.background);
   check_picture_path(options.output);
   ProgressLine line(options.quiet);
   Context context;
@@ -30,6 +43,92 @@ int render_mesh(Options& options) {
   const SurfaceMesh mesh = load_surface(options.input);
   render::write_png(options.output, mesh_picture(mesh, options.picture, context));
   return done;
+}
+
+void add_camera(CLI::App& verb, render::PictureOptions& picture) {
+  const char* group = "Camera";
+  verb.add_option("--width", picture.width, "Pixels")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--height", picture.height, "Pixels")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--samples", picture.samples, "Per pixel")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--azimuth", picture.view.azimuth, "Degrees around the vertical")
+      ->type_name("DEG")
+      ->group(group);
+  verb.add_option("--elevation", picture.view.elevation, "Degrees above the horizon")
+      ->type_name("DEG")
+      ->check(CLI::Range(-90.0, 90.0))
+      ->group(group);
+  verb.add_option("--fov", picture.view.field_of_view,
+                  "Vertical field of view; a wide one is nearer, so that all is still seen")
+      ->type_name("DEG")
+      ->check(CLI::Range(1.0, 120.0))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--zoom", picture.view.zoom, "2: half as much is seen, twice as large")
+      ->type_name("X")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option_function<std::vector<double>>(
+          "--at",
+          [&picture](const std::vector<double>& p) {
+            picture.view.target = Vec3(p[0], p[1], p[2]);
+          },
+          "The point in the middle of the picture")
+      ->type_name("X Y Z")
+      ->expected(3)
+      ->group(group);
+  const std::map<std::string, render::UpAxis> axes{{"auto", render::UpAxis::automatic},
+                                                   {"x", render::UpAxis::x},
+                                                   {"y", render::UpAxis::y},
+                                                   {"z", render::UpAxis::z}};
+  verb.add_option_function<std::string>(
+          "--up", [&picture, axes](const std::string& axis) { picture.view.up = axes.at(axis); },
+          "auto, x, y or z")
+      ->check(CLI::IsMember({"auto", "x", "y", "z"}).description(""))
+      ->type_name("AXIS")
+      ->group(group);
+}
+
+void add_scene(CLI::App& verb, Options& options) {
+  const char* group = "Scene";
+  render::PictureOptions& picture = options.picture;
+  verb.add_option("--material", options.material, "clay, mud, glaze, plaster, glass or paint")
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--line-width", picture.line_width, "Of a crack, model units; 0: by the size")
+      ->type_name("LENGTH")
+      ->check(CLI::NonNegativeNumber)
+      ->group(group);
+  verb.add_option("--light", picture.light.azimuth,
+                  "Where the lamp stands: degrees to the right of the camera")
+      ->type_name("DEG")
+      ->group(group);
+  verb.add_option("--light-elevation", picture.light.elevation, "Degrees above the horizon")
+      ->type_name("DEG")
+      ->check(CLI::Range(-90.0, 90.0))
+      ->group(group);
+  verb.add_option("--exposure", picture.exposure, "1: as it is, 2: twice as bright")
+      ->type_name("X")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_flag_callback(
+          "--no-ground", [&picture] { picture.ground = false; }, "No floor that catches the shadow")
+      ->group(group);
+  verb.add_option("--background", options.background, "A colour as RRGGBB; by the material")
+      ->type_name("RRGGBB")
+      ->group(group);
 }
 
 }  // namespace
@@ -43,31 +142,18 @@ void add_render(CLI::App& app, Action& action) {
   verb->add_option("-o,--output", options->output, "The picture: .png")
       ->required()
       ->type_name("FILE");
-  verb->add_option("--material", options->material, "clay, mud, glaze, plaster, glass or paint")
-      ->type_name("NAME")
-      ->capture_default_str();
-  render::PictureOptions& picture = options->picture;
-  verb->add_option("--width", picture.width, "Pixels")->type_name("N")->capture_default_str();
-  verb->add_option("--height", picture.height, "Pixels")->type_name("N")->capture_default_str();
-  verb->add_option("--samples", picture.samples, "Per pixel")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
-  verb->add_option("--azimuth", picture.view.azimuth, "Degrees around the vertical")
-      ->type_name("DEG");
-  verb->add_option("--elevation", picture.view.elevation, "Degrees above the horizon")
-      ->type_name("DEG")
-      ->check(CLI::Range(-90.0, 90.0));
-  verb->add_option("--line-width", picture.line_width, "Of a crack, model units; 0: by the size")
-      ->type_name("LENGTH")
-      ->check(CLI::NonNegativeNumber);
+  add_camera(*verb, options->picture);
+  add_scene(*verb, *options);
   verb->add_option("--threads", options->threads, "0: one per core")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
   verb->add_flag("--quiet", options->quiet, "No progress");
   verb->footer(
-      "Example:\n"
-      "  craze render cracked.ply -o cracked.png --material glaze --azimuth 40");
+      "Examples:\n"
+      "  craze render cracked.ply -o cracked.png --material glaze --azimuth 40\n"
+      "  craze render cracked.ply -o near.png --zoom 4 --at 0 0.1 0.2 --light -60 "
+      "--light-elevation 20\n"
+      "  craze render vase.glb -o vase.png --material glass --background 303840 --no-ground");
   verb->callback([options, &action] { action = [options] { return render_mesh(*options); }; });
 }
 

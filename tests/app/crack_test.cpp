@@ -81,7 +81,8 @@ TEST_F(Crack, TheMeshCarriesCrackAndInputAttributes) {
   const Attribute* displacement = find_attribute(mesh.vertex_attributes, "displacement");
   const Attribute* fragment = find_attribute(mesh.face_attributes, "fragment");
   const Attribute* source = find_attribute(mesh.face_attributes, "source_face");
-  ASSERT_TRUE(distance && time && displacement && fragment && source);
+  const Attribute* growth = find_attribute(mesh.vertex_attributes, "crack_growth");
+  ASSERT_TRUE(distance && time && growth && displacement && fragment && source);
   EXPECT_EQ(displacement->components, 3);
   int on_cracks = 0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -89,6 +90,8 @@ TEST_F(Crack, TheMeshCarriesCrackAndInputAttributes) {
     if (distance->values[v] == 0) {
       ++on_cracks;
       EXPECT_GE(time->values[v], 0);
+      EXPECT_GE(growth->values[v], 0);
+      EXPECT_LE(growth->values[v], 1);
     }
   }
   EXPECT_GT(on_cracks, 0);

@@ -23,6 +23,9 @@ TEST_F(Errors, WrongUsageExitsWithTwo) {
   expect_error({"crack", "shape:plate", "-o", "a.ply", "--lines", "./a.ply"}, 2, "same file");
   expect_error({"crack", "shape:plate", "-o", "a.ply", "--preset", "mud", "--recipe", "x.toml"}, 2,
                "--preset");
+  expect_error({"render", "shape:cup", "-o", "a.png", "--background", "blue"}, 2, "606a78");
+  expect_error({"render", "shape:cup", "-o", "a.png", "--material", "marble"}, 2, "plaster");
+  expect_error({"render", "shape:cup", "-o", "a.png", "--zoom", "0"}, 2, "--zoom");
 }
 
 TEST_F(Errors, AFailedRunExitsWithOne) {

@@ -21,6 +21,25 @@ TEST(Seams, FindTheCracksOfAMeshThatWasWrittenAndReadAgain) {
   EXPECT_EQ(seam_sides(read), opened);
 }
 
+TEST(Seams, FindThePartsWhereOneSideWasSplitAndTheOtherWasNot) {
+  TriangleMesh cut = test::torus(14);
+  test::cut_at_random(cut, 400, 0, 4);
+  Random random(8);
+  int split = 0;
+  for (const std::int32_t h : crack_sides(cut)) {
+    if (random.uniform() > 0.3) continue;
+    cut.split_edge(h, random.uniform(0.2, 0.8));
+    ++split;
+  }
+  ASSERT_GT(split, 50);
+  const TriangleMesh read(cut.positions(), cut.triangles());
+  std::vector<std::int32_t> opened;
+  for (const std::int32_t h : crack_sides(cut)) {
+    if (read.is_open(h)) opened.push_back(h);
+  }
+  EXPECT_EQ(seam_sides(read), opened);
+}
+
 TEST(Seams, AnOuterBorderIsNone) {
   EXPECT_TRUE(seam_sides(test::plate(5, 0.2)).empty());
 }

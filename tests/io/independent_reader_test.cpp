@@ -5,7 +5,12 @@
 
 #include <assimp/Importer.hpp>
 
+#include <algorithm>
+
+#include "craze/io/read_mesh.h"
 #include "craze/io/write_mesh.h"
+#include "craze/scenario/presets.h"
+#include "craze/scenario/run.h"
 #include "io_test_tools.h"
 
 namespace craze {
@@ -77,6 +82,101 @@ TEST_P(IndependentReader, SeesTheSameCornersAndMaterials) {
   if (extension == ".ply") return;
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     EXPECT_EQ(soup.materials[f], mesh.material_names[mesh.face_materials[f]]);
+  }
+}
+
+/// A run on a mesh with two materials, UVs with a seam, smooth normals and colours.
+SurfaceMesh crack_and_write(const TemporaryFolder& folder, const std::filesystem::path& output) {
+  SurfaceMesh input;
+  input.material_names = {"left", "right"};
+  constexpr int n = 12;
+  const auto place = [](int i, int j) {
+    const double x = i / double(n), y = j / double(n);
+    return Vec3(x, y, 0.2 * std::sin(3 * x));
+  };
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      input.positions.push_back(place(i, j));
+      input.vertex_colors.push_back({float(i) / n, float(j) / n, 0.5f, 1});
+    }
+  }
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i, b = a + n + 1;
+      for (const Triangle& t : {Triangle{a, a + 1, b + 1}, Triangle{a, b + 1, b}}) {
+        input.triangles.push_back(t);
+        input.face_materials.push_back(i < n / 2 ? 0 : 1);
+        for (const std::int32_t v : t) {
+          const Vec3& p = input.positions[v];
+          input.corner_uvs.emplace_back(p.x() / 2 + (i < n / 2 ? 0 : 0.4), p.y());
+          input.corner_normals.push_back(Vec3(-0.6 * std::cos(3 * p.x()), 0, 1).normalized());
+        }
+      }
+    }
+  }
+  write_mesh(folder / "input.ply", input);
+  RunRequest request;
+  request.input = folder / "input.ply";
+  request.output = output;
+  request.recipe = read_preset("mud");
+  apply_set(request.recipe, "layer.relative_spacing=0.2");
+  apply_set(request.recipe, "post.gap=0.1");
+  apply_set(request.recipe, "post.wall=0.02");
+  run(request, {});
+  return input;
+}
+
+TEST_P(IndependentReader, SeesWhatCrackingKeptOfTheInput) {
+  const std::string extension = GetParam();
+  const TemporaryFolder folder;
+  crack_and_write(folder, folder / "exact.ply");
+  crack_and_write(folder, folder / ("a" + extension));
+  const SurfaceMesh exact = read_mesh(folder / "exact.ply");
+  ASSERT_GT(exact.triangles.size(), 400u) << "it cracked";
+  const Soup soup = read_with_assimp(folder / ("a" + extension));
+  ASSERT_EQ(soup.positions.size(), 3 * exact.triangles.size());
+
+  const auto distance = [&](std::size_t f, std::size_t g) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum += (soup.positions[3 * g + i] - exact.positions[exact.triangles[f][i]]).norm();
+    }
+    return sum;
+  };
+  for (std::size_t f = 0; f < exact.triangles.size(); ++f) {
+    // Formats order faces by material; a face is known by its corners.
+    std::size_t g = 0;
+    for (std::size_t other = 1; other < exact.triangles.size(); ++other) {
+      if (distance(f, other) < distance(f, g)) g = other;
+    }
+    EXPECT_LE(distance(f, g), 1e-6) << "face " << f << " is lost";
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (extension == ".stl") continue;
+      EXPECT_LE((soup.normals[3 * g + i] - exact.corner_normals[3 * f + i]).norm(), 1e-6);
+      EXPECT_LE((soup.uvs[3 * g + i] - exact.corner_uvs[3 * f + i]).norm(), 1e-6);
+    }
+    if (extension == ".obj" || extension == ".glb") {
+      EXPECT_EQ(soup.materials[g], exact.material_names[exact.face_materials[f]]);
+    }
+  }
+}
+
+TEST(CrackedMesh, AttributesOfTheCracksComeThrough) {
+  const TemporaryFolder folder;
+  const SurfaceMesh input = crack_and_write(folder, folder / "a.ply");
+  crack_and_write(folder, folder / "a.glb");
+  for (const char* extension : {".ply", ".glb"}) {
+    const SurfaceMesh mesh = read_mesh(folder / (std::string("a") + extension));
+    const Attribute* distance = find_attribute(mesh.vertex_attributes, "crack_distance");
+    ASSERT_TRUE(distance) << extension;
+    ASSERT_TRUE(find_attribute(mesh.vertex_attributes, "crack_time")) << extension;
+    EXPECT_GT(std::count(distance->values.begin(), distance->values.end(), 0.0), 50);
+    // Colours are functions of the place; gaps move vertices by little.
+    ASSERT_EQ(mesh.vertex_colors.size(), mesh.positions.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      EXPECT_NEAR(mesh.vertex_colors[v][0], mesh.positions[v].x(), 0.03);
+      EXPECT_NEAR(mesh.vertex_colors[v][1], mesh.positions[v].y(), 0.03);
+    }
   }
 }
 

@@ -47,6 +47,17 @@ TEST(Curl, LiftsAlongTheNormalInProportionToTheDisplacement) {
   }
 }
 
+TEST(Curl, BelowZeroTheEdgesGoDown) {
+  const TriangleMesh mesh = plate_with_crack(20);
+  const std::vector<Vec3> u(mesh.vertex_count(), Vec3(0, 0.02, 0));
+  const CrackSites sites = crack_sites(mesh);
+  const OpenedMesh opened = open_cracks(mesh, u, {.gap = 0.5, .curl = -0.4});
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (sites.site_of[v] < 0) continue;
+    EXPECT_NEAR(opened.mesh.positions[v].z(), -0.4 * 0.01, 1e-12);
+  }
+}
+
 TEST(Curl, WithoutCracksNothingIsLifted) {
   const TriangleMesh mesh = test::plate(4, 0);
   const CrackSites sites = crack_sites(mesh);

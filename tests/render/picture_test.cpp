@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 
 #include "bake/surfaces.h"
 #include "craze/base/error.h"
@@ -46,8 +47,8 @@ struct CrackedPlate {
       if (!mesh.is_open(h) && on_line(mesh.from(h)) && on_line(mesh.to(h))) mesh.cut(h, 0);
     }
   }
-  CrackLines lines(const std::vector<double>& width = {}) const {
-    return crack_lines(mesh, crack_sides(mesh), line_reach(surface(mesh), options), width);
+  CrackLines lines() const {
+    return crack_lines(mesh, crack_sides(mesh), line_reach(surface(mesh), options));
   }
 };
 
@@ -95,9 +96,13 @@ TEST(Picture, ALineAsFineAsAnImagePointKeepsItsInk) {
 
 TEST(Picture, LineWidthMayVaryAlongACrack) {
   const CrackedPlate plate;
-  std::vector<double> width;
-  for (const Vec3& p : plate.mesh.positions()) width.push_back(p.x() < 0.5 ? 0 : 1);
-  const CrackLines lines = plate.lines(width);
+  std::vector<std::array<float, 2>> width;
+  const std::vector<std::int32_t> sides = crack_sides(plate.mesh);
+  const auto at = [&](std::int32_t v) { return plate.mesh.position(v).x() < 0.5 ? 0.0f : 1.0f; };
+  for (const std::int32_t h : sides)
+    width.push_back({at(plate.mesh.from(h)), at(plate.mesh.to(h))});
+  CrackLines lines = plate.lines();
+  set_widths(lines, sides, width);
   const Image image = render_picture(surface(plate.mesh), &lines, plate.options, {});
   EXPECT_GT(brightness(image, 30, 50), 1.5 * brightness(image, 70, 50));
 }
@@ -140,6 +145,131 @@ TEST(Picture, DoesNotDependOnTheUnitOrPlaceOfTheModel) {
   int different = 0;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) different += std::abs(a.rgb[i] - b.rgb[i]) > 2;
   EXPECT_LT(different, static_cast<int>(a.rgb.size() / 200));
+}
+
+/// Mean difference of two pictures over the points that both show as lit object.
+double difference(const Image& a, const Image& b) {
+  double sum = 0;
+  int count = 0;
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) {
+      if (brightness(a, x, y) < 2 || brightness(b, x, y) < 2) continue;
+      sum += std::abs(brightness(a, x, y) - brightness(b, x, y));
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+TEST(Picture, TheEdgeOfTheLightIsSmoothOnACoarseSurface) {
+  PictureOptions options = small("plaster");
+  options.material.mottle = options.material.bump = 0;
+  options.ground = false;
+  options.light = {90, 0};
+  options.view.elevation = options.view.azimuth = 0;
+  options.width = options.height = 160;
+  // A ball, from triangles as large as a sixth of it; the light comes from the right.
+  const auto ball = [](int n) {
+    return surface(test::grid(2 * n, n, true, false, [](double u, double v) {
+      const double a = 2 * std::numbers::pi * u, b = std::numbers::pi * (0.02 + 0.96 * v);
+      return Vec3(std::sin(b) * std::cos(a), -std::cos(b), -std::sin(b) * std::sin(a));
+    }));
+  };
+  const Image coarse = render_picture(ball(9), nullptr, options, {});
+  const Image fine = render_picture(ball(60), nullptr, options, {});
+  // Without care, triangles that the light just misses stay dark as a whole: 7 darker.
+  double darker = 0;
+  for (int y = 30; y < 130; ++y) {
+    for (int x = 50; x < 110; ++x) {
+      darker = std::max(darker, brightness(fine, x, y) - brightness(coarse, x, y));
+    }
+  }
+  EXPECT_LT(darker, 3);
+}
+
+TEST(Picture, ZoomShowsTheTargetInTheMiddleAndLarger) {
+  CrackedPlate plate;
+  const CrackLines lines = plate.lines();
+  plate.options.view.target = Vec3(0.5, 0.4, 0);
+  plate.options.view.zoom = 4;
+  const Image image = render_picture(surface(plate.mesh), &lines, plate.options, {});
+  // The crack is 0.1 above the middle: the plate, 84 points high before, is four times as large.
+  const int row = 50 - static_cast<int>(0.1 * 4 * 0.84 * 101);
+  EXPECT_LT(brightness(image, 50, row), 0.6 * brightness(image, 50, 50));
+}
+
+TEST(Picture, TheLampStandsWhereItIsAskedTo) {
+  PictureOptions options = small("plaster");
+  options.view.elevation = 0;
+  options.view.azimuth = 0;
+  const SurfaceMesh torus = surface(test::torus(40));
+  const auto sides = [&](double azimuth) {
+    options.light = {azimuth, 10};
+    const Image image = render_picture(torus, nullptr, options, {});
+    return std::pair{brightness(image, 14, 36), brightness(image, 81, 36)};
+  };
+  const auto [left, dark_right] = sides(-80);
+  const auto [dark_left, right] = sides(80);
+  EXPECT_GT(left, 1.3 * dark_right);
+  EXPECT_GT(right, 1.3 * dark_left);
+}
+
+TEST(Picture, LinesAreCrispOnTwoHundredTriangles) {
+  // A diagonal crack over a plate of 200 triangles, against the same over 20,000.
+  const auto picture = [](int n) {
+    TriangleMesh mesh = test::plate(n, 0);
+    const auto on_line = [&](std::int32_t v) {
+      return std::abs(mesh.position(v).y() - mesh.position(v).x()) < 1e-9;
+    };
+    for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+      if (!mesh.is_open(h) && on_line(mesh.from(h)) && on_line(mesh.to(h))) mesh.cut(h, 0);
+    }
+    PictureOptions options = small("plaster");
+    options.view.elevation = 90;
+    options.width = options.height = 201;
+    options.line_width = 0.02;
+    const CrackLines lines =
+        crack_lines(mesh, crack_sides(mesh), line_reach(surface(mesh), options));
+    return render_picture(surface(mesh), &lines, options, {});
+  };
+  const Image coarse = picture(10), fine = picture(100);
+  int different = 0;
+  for (std::size_t i = 0; i < coarse.rgb.size(); ++i) {
+    different += std::abs(coarse.rgb[i] - fine.rgb[i]) > 3 ? 1 : 0;
+  }
+  EXPECT_LT(different, static_cast<int>(coarse.rgb.size() / 500));
+  EXPECT_LT(brightness(coarse, 100, 100), 0.6 * brightness(coarse, 100, 60)) << "there is a line";
+}
+
+TEST(Picture, PicturesOfOneSubjectAreTakenFromOnePlace) {
+  PictureOptions options = small("clay");
+  options.view.elevation = 90;
+  options.ground = false;
+  const SurfaceMesh whole = surface(test::torus(30));
+  SurfaceMesh top = whole;
+  top.triangles.resize(whole.triangles.size() / 2);  // the upper half of the ring
+  for (Vec3& p : top.positions) p.y() = std::max(p.y(), 0.0);
+  const Image alone = render_picture(top, nullptr, options, {});
+  options.subject = whole.positions;
+  const Image of_whole = render_picture(whole, nullptr, options, {});
+  const Image of_top = render_picture(top, nullptr, options, {});
+  EXPECT_LT(difference(of_whole, of_top), 0.5);
+  EXPECT_GT(difference(of_whole, alone), 0.5);
+}
+
+TEST(Picture, WornEdgesOfGapsAreDrawnOnTheMovedSurface) {
+  CrackedPlate plate;
+  plate.options.material = find_material("mud");
+  SurfaceMesh moved = surface(plate.mesh);
+  for (Vec3& p : moved.positions) p.y() += p.y() > 0.5 ? 0.03 : -0.03;
+  CrackLines lines = plate.lines();
+  const Image sharp = render_picture(moved, nullptr, plate.options, {});
+  lines.open = true;
+  lines.places = plate.mesh.positions();
+  const Image worn = render_picture(moved, &lines, plate.options, {});
+  EXPECT_NE(sharp.rgb, worn.rgb);
+  // Nothing is drawn away from the edges.
+  EXPECT_NEAR(brightness(sharp, 50, 15), brightness(worn, 50, 15), 12);
 }
 
 TEST(Picture, RefusesWhatCannotBeDrawn) {

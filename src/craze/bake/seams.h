@@ -8,9 +8,10 @@
 
 namespace craze {
 
-/// The border halfedges, ascending, that lie exactly on another one running the other way: edges
-/// that are open although the surface goes on. These are the cracks of a cracked mesh that was
-/// written and read again; where one side was split and the other was not, they are left out.
+/// The border halfedges, ascending, that lie on others that run the other way: edges that are open
+/// although the surface goes on. These are the cracks of a cracked mesh that was written and read
+/// again. Where one side was split and the other was not, the parts lie on the whole, within the
+/// rounding of single precision.
 std::vector<std::int32_t> seam_sides(const TriangleMesh& mesh);
 
 }  // namespace craze

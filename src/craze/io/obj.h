@@ -15,7 +15,9 @@ namespace craze {
 SurfaceMesh read_obj(std::string_view bytes, const std::string& name);
 
 /// The mesh as OBJ text: every number round-trips, seams keep their own vt and vn, materials become
-/// `usemtl`. OBJ has no place for attributes.
-std::string format_obj(const SurfaceMesh& mesh);
+/// `usemtl`. OBJ has no place for attributes. `objects`: a face attribute, whose values become one
+/// object (`o NAME_VALUE`) each, faces in the order of the values; OBJ knows no places of objects,
+/// so all share the world's axes.
+std::string format_obj(const SurfaceMesh& mesh, const std::string& objects = "");
 
 }  // namespace craze

@@ -3,12 +3,16 @@
 
 #include <iterator>
 
+#include "craze/io/mesh_parts.h"
 #include "craze/io/obj.h"
 #include "craze/io/unify_corners.h"
 
 namespace craze {
 
 namespace {
+
+/// From here on, an alpha is 1 but for rounding.
+constexpr float opaque = 1 - 1.0f / 512;
 
 /// What `usemtl` can carry: one line, and a name at all.
 std::string material_name(const SurfaceMesh& mesh, std::int32_t material) {
@@ -22,7 +26,7 @@ std::string material_name(const SurfaceMesh& mesh, std::int32_t material) {
 
 }  // namespace
 
-std::string format_obj(const SurfaceMesh& mesh) {
+std::string format_obj(const SurfaceMesh& mesh, const std::string& objects) {
   const bool has_uvs = !mesh.corner_uvs.empty(), has_normals = !mesh.corner_normals.empty();
   const UnifiedCorners uvs = unify_corners(mesh, {.uvs = true, .normals = false});
   const UnifiedCorners normals = unify_corners(mesh, {.uvs = false, .normals = true});
@@ -36,7 +40,8 @@ std::string format_obj(const SurfaceMesh& mesh) {
     if (!mesh.vertex_colors.empty()) {
       const Color& c = mesh.vertex_colors[v];
       fmt::format_to(out, FMT_COMPILE(" {} {} {}"), c[0], c[1], c[2]);
-      if (c[3] != 1) fmt::format_to(out, FMT_COMPILE(" {}"), c[3]);
+      // Other readers give up at a seventh number: only where it says something.
+      if (c[3] < opaque) fmt::format_to(out, FMT_COMPILE(" {}"), c[3]);
     }
     text += '\n';
   }
@@ -46,7 +51,7 @@ std::string format_obj(const SurfaceMesh& mesh) {
   }
 
   std::int32_t material = -1;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+  const auto add_face = [&](std::size_t f) {
     if (!mesh.face_materials.empty() && mesh.face_materials[f] != material) {
       material = mesh.face_materials[f];
       fmt::format_to(out, "usemtl {}\n", material_name(mesh, material));
@@ -66,6 +71,14 @@ std::string format_obj(const SurfaceMesh& mesh) {
       }
     }
     text += '\n';
+  };
+  if (objects.empty()) {
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) add_face(f);
+    return text;
+  }
+  for (const MeshPart& part : mesh_parts(mesh, objects)) {
+    text += "o " + part.name + "\n";
+    for (const std::int32_t f : part.faces) add_face(f);
   }
   return text;
 }

@@ -9,6 +9,11 @@ namespace craze {
 
 namespace {
 
+void sort_unique(std::vector<std::int32_t>& indices) {
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+}
+
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -200,6 +205,15 @@ void CrackOutcome::clear() {
   changed_nodes.clear();
 }
 
+void CrackOutcome::append(const CrackOutcome& later, std::int32_t at_tip) {
+  tips.erase(std::remove(tips.begin(), tips.end(), at_tip), tips.end());
+  segments.insert(segments.end(), later.segments.begin(), later.segments.end());
+  tips.insert(tips.end(), later.tips.begin(), later.tips.end());
+  changed_faces.insert(changed_faces.end(), later.changed_faces.begin(), later.changed_faces.end());
+  changed_nodes.insert(changed_nodes.end(), later.changed_nodes.begin(), later.changed_nodes.end());
+  sort_unique(changed_nodes);
+}
+
 void open_crack(TriangleMesh& mesh, StressField& field, std::int32_t v, const Vec3& normal,
                 const CrackRules& rules, std::int32_t first_label, CrackOutcome& outcome) {
   outcome.clear();
@@ -207,10 +221,7 @@ void open_crack(TriangleMesh& mesh, StressField& field, std::int32_t v, const Ve
   for (const Ray& ray : insertion.admissible_rays(v, normal)) {
     insertion.insert(ray, normal, first_label + static_cast<std::int32_t>(outcome.segments.size()));
   }
-  std::sort(outcome.changed_nodes.begin(), outcome.changed_nodes.end());
-  outcome.changed_nodes.erase(
-      std::unique(outcome.changed_nodes.begin(), outcome.changed_nodes.end()),
-      outcome.changed_nodes.end());
+  sort_unique(outcome.changed_nodes);
 }
 
 }  // namespace craze

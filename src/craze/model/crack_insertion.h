@@ -32,6 +32,8 @@ struct CrackOutcome {
 
   bool empty() const { return segments.empty(); }
   void clear();
+  /// Takes in what happened after it, at a tip of its own.
+  void append(const CrackOutcome& later, std::int32_t at_tip);
 };
 
 /// Opens the plane through node v with normal n̂ in v's star: on each side that the plane meets, one

@@ -44,7 +44,7 @@ CrackNetwork Simulation::network() const {
   const auto node = [&](std::int32_t root) {
     if (node_of_root[root] < 0) {
       node_of_root[root] = static_cast<std::int32_t>(network.nodes.size());
-      network.nodes.push_back({mesh_.position(root), Vec3::Zero(), -1, JunctionKind::bend});
+      network.nodes.push_back({mesh_.position(root), Vec3::Zero(), -1, JunctionKind::bend, root});
       degree.push_back(0);
     }
     return node_of_root[root];

@@ -21,6 +21,7 @@ struct CrackNode {
   Vec3 normal;             ///< unit, of the surface there
   std::int32_t face = -1;  ///< an input triangle (source face) that holds the node
   JunctionKind kind = JunctionKind::bend;
+  std::int32_t vertex = -1;  ///< of the cut mesh: one of those that lie on the node
 };
 
 struct CrackEdge {

@@ -1,10 +1,12 @@
 #include "craze/model/equilibrium.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <limits>
 #include <numeric>
+#include <unordered_map>
 
+#include "craze/base/cell_grid.h"
 #include "craze/base/parallel.h"
 
 namespace craze {
@@ -74,10 +76,9 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
 }
 
 void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds) {
-  // Where there are many, telling them apart costs more than it saves.
-  constexpr std::size_t many = 1000;
-  const double reach =
-      seeds.size() > many ? std::numeric_limits<double>::infinity() : options_.reach;
+  const CellGrid grid(options_.reach);
+  std::unordered_map<std::uint64_t, std::vector<std::int32_t>> left;  // seeds, by cell
+  for (const std::int32_t v : seeds) left[grid.key(mesh.position(v))].push_back(v);
   seed_patch_.resize(mesh.vertex_count(), -1);
   patch_count_ = 0;
   for (const std::int32_t first : seeds) {
@@ -85,19 +86,25 @@ void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32
     const auto index = static_cast<std::int32_t>(patch_count_);
     if (patches_.size() == patch_count_) patches_.emplace_back();
     Patch& patch = patches_[patch_count_++];
-    if (std::isinf(reach)) {
-      patch.seeds = seeds;
-      return;
-    }
     patch.seeds.assign(1, first);
     seed_patch_[first] = index;
     for (std::size_t i = 0; i < patch.seeds.size(); ++i) {
       const Vec3& p = mesh.position(patch.seeds[i]);
-      for (const std::int32_t v : seeds) {
-        if (seed_patch_[v] >= 0 || (mesh.position(v) - p).squaredNorm() > reach * reach) continue;
-        seed_patch_[v] = index;
-        patch.seeds.push_back(v);
-      }
+      grid.for_each_near(p, [&](std::uint64_t key) {
+        const auto cell = left.find(key);
+        if (cell == left.end()) return;
+        std::vector<std::int32_t>& near = cell->second;
+        near.erase(std::remove_if(near.begin(), near.end(),
+                                  [&](std::int32_t v) {
+                                    if (seed_patch_[v] >= 0) return true;
+                                    const double squared = (mesh.position(v) - p).squaredNorm();
+                                    if (squared > options_.reach * options_.reach) return false;
+                                    seed_patch_[v] = index;
+                                    patch.seeds.push_back(v);
+                                    return true;
+                                  }),
+                   near.end());
+      });
     }
   }
 }
@@ -106,10 +113,12 @@ void Equilibrium::solve(const LayerState& layer, int threads) {
   const std::size_t workers =
       std::min(patch_count_, static_cast<std::size_t>(thread_count(threads)));
   if (marks_.size() < workers) marks_.resize(workers);
+  // Patches differ in size: each worker takes the next one. Which does which changes nothing.
+  std::atomic<std::size_t> next{0};
   parallel_for(threads, workers, 1, [&](std::size_t worker, std::size_t) {
     std::vector<std::int32_t>& mark = marks_[worker];
     mark.resize(layer.mesh.vertex_count(), -1);
-    for (std::size_t i = worker; i < patch_count_; i += workers) {
+    for (std::size_t i = next++; i < patch_count_; i = next++) {
       Patch& patch = patches_[i];
       patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), seed_patch_, mark);
     }

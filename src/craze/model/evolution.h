@@ -43,6 +43,8 @@ class Evolution {
   /// What a crack opening now is dated with: simulated time (euler), the load factor s
   /// (quasistatic).
   virtual double time() const = 0;
+  /// How far a failing node's crack runs on before evolve(), length; 0: to the next node only.
+  virtual double stride() const { return 0; }
   /// How far apart two failing nodes must be to be cracked in one step; ∞: one at a time.
   virtual double independence_distance() const = 0;
   virtual std::int64_t element_updates() const = 0;

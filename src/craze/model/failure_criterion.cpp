@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "craze/base/random.h"
+#include "craze/base/cell_grid.h"
 
 namespace craze {
 
@@ -103,7 +103,7 @@ bool FailureCriterion::node_changed(const TriangleMesh& mesh, std::int32_t v) {
   const bool tip = is_crack_tip(mesh, v);
   if (tip == (listed_[v] != 0)) return false;
   listed_[v] = tip ? 1 : 0;
-  std::vector<std::int32_t>& cell = tips_[cell_of(mesh.position(v), 0, 0, 0)];
+  std::vector<std::int32_t>& cell = tips_[CellGrid(process_zone_).key(mesh.position(v))];
   if (tip) {
     cell.push_back(v);
   } else {
@@ -115,26 +115,18 @@ bool FailureCriterion::node_changed(const TriangleMesh& mesh, std::int32_t v) {
 std::int32_t FailureCriterion::tip_near(const TriangleMesh& mesh, std::int32_t v) const {
   if (!(process_zone_ > 0)) return -1;
   const Vec3& p = mesh.position(v);
-  for (int dx = -1; dx <= 1; ++dx) {
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dz = -1; dz <= 1; ++dz) {
-        const auto cell = tips_.find(cell_of(p, dx, dy, dz));
-        if (cell == tips_.end()) continue;
-        for (const std::int32_t tip : cell->second) {
-          const double squared = (mesh.position(tip) - p).squaredNorm();
-          if (squared < process_zone_ * process_zone_) return tip;
-        }
+  std::int32_t found = -1;
+  CellGrid(process_zone_).for_each_near(p, [&](std::uint64_t key) {
+    const auto cell = tips_.find(key);
+    if (found >= 0 || cell == tips_.end()) return;
+    for (const std::int32_t tip : cell->second) {
+      if ((mesh.position(tip) - p).squaredNorm() < process_zone_ * process_zone_) {
+        found = tip;
+        return;
       }
     }
-  }
-  return -1;
-}
-
-std::uint64_t FailureCriterion::cell_of(const Vec3& p, int dx, int dy, int dz) const {
-  const auto index = [&](double x, int d) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / process_zone_)) + d);
-  };
-  return hash_bits(index(p.x(), dx) ^ hash_bits(index(p.y(), dy) ^ hash_bits(index(p.z(), dz))));
+  });
+  return found;
 }
 
 }  // namespace craze

@@ -56,7 +56,6 @@ class FailureCriterion {
 
  private:
   std::int32_t tip_near(const TriangleMesh& mesh, std::int32_t v) const;
-  std::uint64_t cell_of(const Vec3& p, int dx, int dy, int dz) const;
 
   MaterialParameters material_;
   double process_zone_;

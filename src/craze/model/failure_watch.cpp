@@ -30,7 +30,7 @@ void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes,
   failing_.resize(scene.mesh.vertex_count());
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  parallel_for(threads, nodes.size(), 512, [&](std::size_t begin, std::size_t end) {
+  parallel_for(threads, nodes.size(), 128, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       failing_[nodes[i]] = evaluate(scene, nodes[i], residuals_.count(nodes[i]) > 0);
     }

@@ -78,7 +78,7 @@ struct EvolutionParameters {
   std::int64_t cracks_per_step = 1;
   double max_load = 4;
   double load_step = 0.02;      ///< relative; failures this close count as simultaneous
-  double residual = 0.02;       ///< force left on a node over the force at which it fails
+  double residual = 0.05;       ///< force left on a node over the force at which it fails
   std::int64_t max_cracks = 0;  ///< 0: no limit
   std::int64_t cycles = 1;      ///< times the layer cracks; it heals in between
   double healing = 0.3;         ///< strength across a healed crack over that around it
@@ -96,6 +96,7 @@ struct CrackParameters {
   double snap_angle = 25;  ///< θ₁, degrees
   double back_angle = 15;  ///< θ₂, degrees
   NearVertex near_vertex = NearVertex::snap;
+  double stride = 0.25;  ///< how far a failing node's crack runs at once, screening lengths
 };
 
 /// Everything the simulation needs to know besides the mesh.

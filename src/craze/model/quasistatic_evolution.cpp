@@ -43,7 +43,8 @@ QuasistaticEvolution::QuasistaticEvolution(const TriangleMesh& mesh,
       equilibrium_({adhesion(parameters.layer), 0, reach * parameters.layer.screening_length}),
       independence_(parameters.evolution.load_step > 0
                         ? independence * parameters.layer.screening_length
-                        : std::numeric_limits<double>::infinity()) {
+                        : std::numeric_limits<double>::infinity()),
+      stride_(parameters.crack.stride * parameters.layer.screening_length) {
   equilibrium_.fixed = inputs.fixed;
 }
 

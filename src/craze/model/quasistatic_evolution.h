@@ -28,6 +28,7 @@ class QuasistaticEvolution : public Evolution {
   double highest_load() const override { return parameters_.max_load; }
   double time() const override { return load_; }
   double independence_distance() const override { return independence_; }
+  double stride() const override { return stride_; }
   std::int64_t element_updates() const override { return equilibrium_.element_updates(); }
   double reported_load() const override { return load_; }
   bool reached_max_load() const override { return reached_max_load_; }
@@ -36,7 +37,7 @@ class QuasistaticEvolution : public Evolution {
   EvolutionParameters parameters_;
   double failure_force_;
   Equilibrium equilibrium_;
-  double independence_;
+  double independence_, stride_;
   std::vector<std::int32_t> seeds_;
   double load_ = 0;
   double accurate_up_to_ = 0;

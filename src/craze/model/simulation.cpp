@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -183,6 +184,7 @@ bool Simulation::crack_at(std::int32_t v) {
     watch_.could_not_open(v);
     return false;
   }
+  run_on(mesh_.position(v), failure.normal, rules);
   for (const CrackSegment& s : outcome_.segments) {
     segments_.push_back({s, evolution_->time(), static_cast<std::int32_t>(events_)});
   }
@@ -191,6 +193,25 @@ bool Simulation::crack_at(std::int32_t v) {
   hold_new_nodes();
   evolution_->mesh_changed(mesh_, outcome_);
   return true;
+}
+
+void Simulation::run_on(const Vec3& start, const Vec3& normal, const CrackRules& rules) {
+  const double length = evolution_->stride();
+  const auto may_run = [&](std::int32_t tip) {
+    return (mesh_.position(tip) - start).norm() < length &&
+           std::isfinite(mean_factor(mesh_, fields_.toughness_scale, tip));
+  };
+  const std::vector<std::int32_t> tips = outcome_.tips;
+  for (std::int32_t tip : tips) {
+    while (may_run(tip)) {
+      const auto label = static_cast<std::int32_t>(segments_.size() + outcome_.segments.size());
+      open_crack(mesh_, field_, tip, normal, rules, label, step_);
+      if (step_.empty()) break;
+      outcome_.append(step_, tip);
+      if (step_.tips.empty()) break;
+      tip = step_.tips.front();
+    }
+  }
 }
 
 void Simulation::hold_new_nodes() {

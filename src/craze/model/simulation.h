@@ -72,6 +72,7 @@ class Simulation {
   FailureWatch::Scene scene() { return {mesh_, field_, fields_, *evolution_}; }
   void crack_mesh();
   bool crack_at(std::int32_t v);
+  void run_on(const Vec3& start, const Vec3& normal, const CrackRules& rules);
   void hold_new_nodes();
   void evolve(const Context& context);
   void update_failure_criteria(const Context& context);
@@ -82,7 +83,7 @@ class Simulation {
   StressField field_;
   std::unique_ptr<Evolution> evolution_;
   FailureWatch watch_;
-  CrackOutcome outcome_;
+  CrackOutcome outcome_, step_;
 
   std::vector<Segment> segments_;
   std::vector<std::int32_t> changed_;  // nodes to be evaluated again

@@ -17,6 +17,14 @@ struct CrackSites {
   std::vector<std::int32_t> sides;    ///< the halfedges that are sides of cracks, ascending
   std::vector<std::int32_t> first;    ///< #sides + 1, offsets into inner
   std::vector<std::int32_t> inner;    ///< sites inside each side, in its direction
+
+  /// The next site on side i after that of its from(), and the last one before that of its to().
+  std::int32_t after_from(const TriangleMesh& mesh, std::size_t i) const {
+    return first[i] < first[i + 1] ? inner[first[i]] : site_of[mesh.to(sides[i])];
+  }
+  std::int32_t before_to(const TriangleMesh& mesh, std::size_t i) const {
+    return first[i] < first[i + 1] ? inner[first[i + 1] - 1] : site_of[mesh.from(sides[i])];
+  }
 };
 
 CrackSites crack_sites(const TriangleMesh& mesh);

@@ -1,30 +1,8 @@
 #include "craze/post/curl.h"
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
-#include <algorithm>
-#include <utility>
+#include "craze/post/surface_extension.h"
 
 namespace craze {
-
-namespace {
-
-/// Cotangent of the angle opposite to h.
-double cotangent(const TriangleMesh& mesh, std::int32_t h) {
-  const Vec3& apex = mesh.position(mesh.from(TriangleMesh::prev(h)));
-  const Vec3 a = mesh.position(mesh.from(h)) - apex, b = mesh.position(mesh.to(h)) - apex;
-  const double twice_area = a.cross(b).norm();
-  return twice_area > 0 ? a.dot(b) / twice_area : 0;
-}
-
-/// The cotangent weight of the edge of h. Never negative, so that no vertex is lifted above its
-/// neighbours, and bounded, so that slivers do no harm.
-double edge_weight(const TriangleMesh& mesh, std::int32_t h) {
-  const double other = mesh.is_open(h) ? 0 : cotangent(mesh, mesh.opposite(h));
-  return 0.5 * std::clamp(cotangent(mesh, h) + other, 0.0, 40.0);
-}
-
-}  // namespace
 
 double natural_curl_length(const TriangleMesh& mesh, const CrackSites& sites) {
   double both_sides = 0;
@@ -36,56 +14,9 @@ double natural_curl_length(const TriangleMesh& mesh, const CrackSites& sites) {
 
 std::vector<double> curl_lift(const TriangleMesh& mesh, const CrackSites& sites,
                               const std::vector<double>& edge_lift, double length) {
-  // Unknown: the vertices away from cracks.
-  std::vector<std::int32_t> unknown(mesh.vertex_count(), -1);
-  std::vector<double> lift(mesh.vertex_count(), 0);
-  std::int32_t unknowns = 0;
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (sites.site_of[v] < 0) {
-      unknown[v] = unknowns++;
-    } else {
-      lift[v] = edge_lift[v];
-    }
-  }
-  if (unknowns == 0 || sites.sides.empty()) return lift;
-
-  // (M + ℓ² K) L = 0 with the lumped mass M and the weighted Laplacian K.
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(mesh.face_count()) * 15);
-  Eigen::VectorXd known = Eigen::VectorXd::Zero(unknowns);
-  const double ll = length * length;
-  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
-    const std::int32_t a = mesh.from(h), b = mesh.to(h);
-    const double mass = mesh.area(TriangleMesh::face_of(h)) / 3;
-    if (unknown[a] >= 0) entries.emplace_back(unknown[a], unknown[a], mass);
-    if (mesh.opposite(h) > h) continue;  // each edge once
-    const double w = ll * edge_weight(mesh, h);
-    for (const auto& [v, other] : {std::pair{a, b}, std::pair{b, a}}) {
-      if (unknown[v] < 0) continue;
-      entries.emplace_back(unknown[v], unknown[v], w);
-      if (unknown[other] >= 0) {
-        entries.emplace_back(unknown[v], unknown[other], -w);
-      } else {
-        known[unknown[v]] += w * lift[other];
-      }
-    }
-  }
-  // A vertex without faces stays where it is.
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (unknown[v] >= 0 && mesh.first_halfedge(v) < 0) {
-      entries.emplace_back(unknown[v], unknown[v], 1);
-    }
-  }
-  Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
-  solver.setTolerance(1e-6);
-  solver.compute(matrix);
-  const Eigen::VectorXd solution = solver.solve(known);
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (unknown[v] >= 0) lift[v] = solution[unknown[v]];
-  }
-  return lift;
+  std::vector<std::uint8_t> on_crack(mesh.vertex_count());
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) on_crack[v] = sites.site_of[v] >= 0;
+  return extend_over_surface(mesh, on_crack, edge_lift, length);
 }
 
 }  // namespace craze

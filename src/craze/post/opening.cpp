@@ -6,6 +6,7 @@
 
 #include "craze/base/error.h"
 #include "craze/post/curl.h"
+#include "craze/post/opening_limit.h"
 #include "craze/post/side_walls.h"
 #include "craze/post/vertex_normals.h"
 
@@ -23,7 +24,7 @@ void check(const TriangleMesh& mesh, const std::vector<Vec3>& displacement,
   const auto is_length = [](double x) { return std::isfinite(x) && x >= 0; };
   require(is_length(options.gap), "gap", "must be finite and not negative");
   require(is_length(options.wall), "wall", "must be finite and not negative");
-  require(is_length(options.curl), "curl", "must be finite and not negative");
+  require(std::isfinite(options.curl), "curl", "must be finite");
   require(is_length(options.curl_length), "curl_length", "must be finite and not negative");
 }
 
@@ -52,20 +53,8 @@ void add_curl(const TriangleMesh& mesh, const CrackSites& sites, const std::vect
   for (std::size_t v = 0; v < shift.size(); ++v) shift[v] += lift[v] * normals[v];
 }
 
-std::int32_t count_folded(const TriangleMesh& mesh, const std::vector<Vec3>& moved) {
-  const auto normal = [](const std::vector<Vec3>& p, const Triangle& t) -> Vec3 {
-    return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
-  };
-  std::int32_t folded = 0;
-  for (const Triangle& t : mesh.triangles()) {
-    folded += normal(mesh.positions(), t).dot(normal(moved, t)) < 0 ? 1 : 0;
-  }
-  return folded;
-}
-
 void add_walls(const SideWalls& walls, OpenedMesh& opened) {
   SurfaceMesh& mesh = opened.mesh;
-  mesh.positions.insert(mesh.positions.end(), walls.bottom.begin(), walls.bottom.end());
   mesh.triangles.insert(mesh.triangles.end(), walls.triangles.begin(), walls.triangles.end());
   mesh.face_materials.resize(mesh.triangles.size(), 0);
   opened.vertex_of.insert(opened.vertex_of.end(), walls.vertex.begin(), walls.vertex.end());
@@ -80,11 +69,21 @@ OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displa
   const CrackSites sites = crack_sites(mesh);
   const std::vector<Vec3> normals = vertex_normals(mesh, sites);
   std::vector<Vec3> shift = shifts(mesh, sites, displacement, options);
-  if (options.curl > 0) add_curl(mesh, sites, normals, options, shift);
+  if (options.curl != 0) add_curl(mesh, sites, normals, options, shift);
+
+  SideWalls walls;
+  if (options.wall > 0) {
+    walls = side_walls(mesh, sites, normals, options.wall, options.border_wall);
+  }
+  const OpeningMotion motion{mesh, sites, walls, shift};
+  const OpeningLimit limit = limit_opening(motion);
 
   OpenedMesh opened;
-  opened.mesh.positions = mesh.positions();
-  for (std::size_t v = 0; v < shift.size(); ++v) opened.mesh.positions[v] += shift[v];
+  opened.limited_vertices = limit.limited;
+  opened.least_share = limit.least;
+  opened.folded_faces = limit.folded;
+  opened.crossings = limit.crossings;
+  opened.mesh.positions = motion.positions(limit.shares);
   opened.mesh.triangles = mesh.triangles();
   opened.mesh.material_names = {"crack_wall"};
   opened.mesh.face_materials.assign(mesh.triangles().size(), -1);
@@ -92,10 +91,7 @@ OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displa
   opened.face_of.resize(mesh.triangles().size());
   std::iota(opened.vertex_of.begin(), opened.vertex_of.end(), 0);
   std::iota(opened.face_of.begin(), opened.face_of.end(), 0);
-  opened.folded_faces = count_folded(mesh, opened.mesh.positions);
-  if (options.wall > 0) {
-    add_walls(side_walls(mesh, sites, normals, options.wall, options.border_wall), opened);
-  }
+  add_walls(walls, opened);
   return opened;
 }
 

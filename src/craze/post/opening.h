@@ -12,7 +12,7 @@ namespace craze {
 struct OpeningOptions {
   double gap = 0;            ///< γ of Eq. 9; 0: the cracks stay shut
   double wall = 0;           ///< depth of the side walls, length; 0: none
-  double curl = 0;           ///< lift of the crack's edges, as a part of their displacement
+  double curl = 0;           ///< lift of the crack's edges over their displacement; below 0: down
   double curl_length = 0;    ///< how far the lift reaches inwards; 0: by the spacing of the cracks
   bool border_wall = true;   ///< walls along the border of the input too: a sheet becomes a slab
   bool keep_border = false;  ///< border vertices that are on no crack stay where they are
@@ -25,7 +25,11 @@ struct OpenedMesh {
   SurfaceMesh mesh;
   std::vector<std::int32_t> vertex_of;  ///< #V: the simulation vertex
   std::vector<std::int32_t> face_of;    ///< #F: the simulation face, −1 for walls
-  std::int32_t folded_faces = 0;        ///< faces turned over by the displacement
+  /// Where the surface would have passed through itself it was opened less.
+  std::int32_t limited_vertices = 0;  ///< of the simulation mesh
+  double least_share = 1;             ///< of the opening asked for
+  std::int32_t folded_faces = 0;      ///< faces turned over all the same
+  std::int32_t crossings = 0;         ///< pairs of triangles that cross all the same
 };
 
 /// `displacement` (#V): the accumulated virtual displacement u of each vertex, world axes. The

@@ -1,5 +1,6 @@
 #include "craze/post/side_walls.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -18,17 +19,19 @@ class WallBuilder {
         bottom_of_(mesh.vertex_count(), -1) {}
 
   /// A wall under the open halfedge h. `inner`: vertices inside its bottom edge, in its direction.
-  void build(std::int32_t h, const std::vector<std::int32_t>& inner) {
+  /// It is a fan from one of the upper ends.
+  void build(std::int32_t h, const std::vector<std::int32_t>& inner, bool from_start) {
     const std::int32_t a = mesh_.from(h), b = mesh_.to(h);
-    std::int32_t below = bottom(a);
-    walls_.triangles.push_back({b, a, below});
-    const auto down_to = [&](std::int32_t v) {
-      const std::int32_t next = bottom(v);
-      walls_.triangles.push_back({b, below, next});
-      below = next;
-    };
-    for (const std::int32_t v : inner) down_to(v);
-    down_to(b);
+    std::vector<std::int32_t> outline{a, bottom(a)};
+    for (const std::int32_t v : inner) outline.push_back(bottom(v));
+    outline.push_back(bottom(b));
+    outline.push_back(b);
+    if (!from_start) {
+      std::rotate(outline.begin(), outline.end() - 1, outline.end());
+    }
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
+      walls_.triangles.push_back({outline[0], outline[i], outline[i + 1]});
+    }
   }
 
   SideWalls take() { return std::move(walls_); }
@@ -58,21 +61,33 @@ SideWalls side_walls(const TriangleMesh& mesh, const CrackSites& sites,
                      const std::vector<Vec3>& normals, double depth, bool along_border) {
   // An edge between two tips cannot open: both of its sides run between the same two vertices.
   std::set<std::pair<std::int32_t, std::int32_t>> ends;
-  for (const std::int32_t h : sites.sides) ends.emplace(mesh.from(h), mesh.to(h));
+  // Where sides start and end: (vertex, the site next to it on the side).
+  std::set<std::pair<std::int32_t, std::int32_t>> starts_at, ends_at;
+  for (std::size_t i = 0; i < sites.sides.size(); ++i) {
+    const std::int32_t a = mesh.from(sites.sides[i]), b = mesh.to(sites.sides[i]);
+    ends.emplace(a, b);
+    starts_at.emplace(a, sites.after_from(mesh, i));
+    ends_at.emplace(b, sites.before_to(mesh, i));
+  }
 
   WallBuilder builder(mesh, sites, normals, depth);
   std::vector<std::int32_t> inner;
   for (std::size_t i = 0; i < sites.sides.size(); ++i) {
-    const std::int32_t h = sites.sides[i];
-    if (ends.count({mesh.to(h), mesh.from(h)})) continue;
+    const std::int32_t h = sites.sides[i], a = mesh.from(h), b = mesh.to(h);
+    if (ends.count({b, a})) continue;
     inner.clear();
     for (std::int32_t k = sites.first[i]; k < sites.first[i + 1]; ++k) {
       inner.push_back(sites.vertex[sites.inner[k]]);
     }
-    builder.build(h, inner);
+    // Both sides fan out from the same site, so that their walls are divided alike and do not
+    // cross, however little they part; but not from a tip, which is the same vertex for both.
+    const bool a_is_tip = ends_at.count({a, sites.after_from(mesh, i)}) > 0;
+    const bool b_is_tip = starts_at.count({b, sites.before_to(mesh, i)}) > 0;
+    const bool from_start = b_is_tip || (!a_is_tip && sites.site_of[a] > sites.site_of[b]);
+    builder.build(h, inner, from_start);
   }
   for (std::int32_t h = 0; along_border && h < 3 * mesh.face_count(); ++h) {
-    if (mesh.opposite(h) == TriangleMesh::border) builder.build(h, {});
+    if (mesh.opposite(h) == TriangleMesh::border) builder.build(h, {}, false);
   }
   return builder.take();
 }

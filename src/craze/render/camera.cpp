@@ -86,6 +86,12 @@ Camera frame(const std::vector<Vec3>& points, const View& view, double aspect) {
   // Where there is room to spare, the middle of the sight lines is not yet the middle of the
   // picture.
   for (int pass = 0; pass < 4; ++pass) centre_picture(points, camera);
+  if (view.target) {
+    const Vec3 off = *view.target - camera.eye;
+    camera.eye += off.dot(camera.right) * camera.right + off.dot(camera.up) * camera.up;
+  }
+  camera.tan_x /= view.zoom;
+  camera.tan_y /= view.zoom;
   return camera;
 }
 

@@ -18,6 +18,8 @@ struct View {
   std::optional<double> elevation;  ///< degrees above the horizon; by default 55 and 18
   double field_of_view = 24;        ///< vertical, degrees
   double margin = 0.08;             ///< free border, as a fraction of the picture
+  double zoom = 1;                  ///< 2: twice as near as what shows all
+  std::optional<Vec3> target;       ///< the point in the middle; by default the object's
 };
 
 struct Camera {

@@ -15,18 +15,27 @@ struct CrackLines {
   NearbyCracks cracks;  ///< per face of the mesh that is drawn
   /// One per segment: the width at its two ends in units of the line width; empty: 1 everywhere.
   std::vector<std::array<float, 2>> width;
+  /// #V of the mesh the lines were measured on, where the one that is drawn has moved since; empty:
+  /// it has not.
+  std::vector<Vec3> places;
+  bool open = false;  ///< the cracks are gaps: there is no line, but edges that are worn
 };
 
-/// The lines of a cut mesh. `vertex_width` (#V of the mesh, or empty) varies the width along them,
-/// for example with the opening of the crack.
+/// The lines of a cut mesh along `sides`, all of width 1.
 CrackLines crack_lines(const TriangleMesh& mesh, const std::vector<std::int32_t>& sides,
-                       double reach, const std::vector<double>& vertex_width = {});
+                       double reach);
+
+/// Gives each line the width of its ends, in units of the line width: `width` has two numbers for
+/// each of `sides`, the halfedges that the lines were made of, ascending.
+void set_widths(CrackLines& lines, const std::vector<std::int32_t>& sides,
+                const std::vector<std::array<float, 2>>& width);
 
 /// How a crack looks at a point.
 struct LineSample {
   float core = 0;              ///< 0 … 1, coverage by the line itself
   float stain = 0;             ///< 0 … 1, fading out beside it
   Vec3f tilt = Vec3f::Zero();  ///< how far the groove's side leans, 0 … 1, towards the crack
+  Vec3f away = Vec3f::Zero();  ///< from the nearest point of a crack to here; zero: none is near
 };
 
 /// Crack lines in the renderer's units.
@@ -39,6 +48,8 @@ class LinePainter {
   /// drawn wider and paler, so that they never alias.
   LineSample at(std::int32_t f, const Vec3f& point, float footprint) const;
 
+  bool shows_gaps() const { return open_; }
+
   /// The distance, in line widths, beyond which a line leaves no trace.
   static constexpr double reach = 6;
 
@@ -49,6 +60,7 @@ class LinePainter {
   };
   std::vector<std::int32_t> first_;
   std::vector<Segment> segments_;
+  bool open_;
 };
 
 }  // namespace craze::render

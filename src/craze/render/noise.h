@@ -9,30 +9,63 @@
 
 namespace craze::render {
 
-/// Value noise in −1 … 1 with one random value per unit cube, smooth between them.
-inline float value_noise(const Vec3f& p) {
+/// A value in −1 … 1 and how it changes along the axes.
+struct Noise {
+  float value = 0;
+  Vec3f gradient = Vec3f::Zero();
+};
+
+/// Value noise with one random value per unit cube, smooth between them.
+inline Noise value_noise(const Vec3f& p) {
   const Vec3f cell(std::floor(p.x()), std::floor(p.y()), std::floor(p.z()));
   const Vec3f f = p - cell;
   const Vec3f w = (f.array() * f.array() * (3 - 2 * f.array())).matrix();
-  const auto value = [&](int i, int j, int k) {
-    const auto x = static_cast<std::uint64_t>(static_cast<std::int64_t>(cell.x()) + i);
-    const auto y = static_cast<std::uint64_t>(static_cast<std::int64_t>(cell.y()) + j);
-    const auto z = static_cast<std::uint64_t>(static_cast<std::int64_t>(cell.z()) + k);
-    const std::uint64_t h = hash_bits(x * 0x9e3779b97f4a7c15ull ^ y * 0xc2b2ae3d27d4eb4full ^
-                                      z * 0x165667b19e3779f9ull);
-    return static_cast<float>(h >> 40) * 0x1.0p-23f - 1;
+  const Vec3f dw = (6 * f.array() * (1 - f.array())).matrix();
+  const auto part = [](float x, int i, std::uint64_t prime) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(x) + i) * prime;
   };
+  float value[2][2][2];
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      for (int k = 0; k < 2; ++k) {
+        const std::uint64_t h = hash_bits(part(cell.x(), i, 0x9e3779b97f4a7c15ull) ^
+                                          part(cell.y(), j, 0xc2b2ae3d27d4eb4full) ^
+                                          part(cell.z(), k, 0x165667b19e3779f9ull));
+        value[i][j][k] = static_cast<float>(h >> 40) * 0x1.0p-23f - 1;
+      }
+    }
+  }
   const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
-  const auto row = [&](int j, int k) { return mix(value(0, j, k), value(1, j, k), w.x()); };
-  return mix(mix(row(0, 0), row(1, 0), w.y()), mix(row(0, 1), row(1, 1), w.y()), w.z());
+  // Along x, then y, then z; the slope along an axis is what the mix along it goes through.
+  float along_x[2][2], slope_x[2][2];
+  for (int j = 0; j < 2; ++j) {
+    for (int k = 0; k < 2; ++k) {
+      along_x[j][k] = mix(value[0][j][k], value[1][j][k], w.x());
+      slope_x[j][k] = value[1][j][k] - value[0][j][k];
+    }
+  }
+  const float low = mix(along_x[0][0], along_x[1][0], w.y());
+  const float high = mix(along_x[0][1], along_x[1][1], w.y());
+  Noise noise;
+  noise.value = mix(low, high, w.z());
+  noise.gradient = {
+      dw.x() * mix(mix(slope_x[0][0], slope_x[1][0], w.y()),
+                   mix(slope_x[0][1], slope_x[1][1], w.y()), w.z()),
+      dw.y() * mix(along_x[1][0] - along_x[0][0], along_x[1][1] - along_x[0][1], w.z()),
+      dw.z() * (high - low)};
+  return noise;
 }
 
-/// Four octaves of value noise, each half as strong and twice as fine; about −1 … 1.
-inline float fractal_noise(const Vec3f& p) {
-  float sum = 0, strength = 0.55f, scale = 1;
-  for (int octave = 0; octave < 4; ++octave) {
+/// Octaves of value noise, each half as strong and twice as fine; about −1 … 1.
+inline Noise fractal_noise(const Vec3f& p, int octaves = 4) {
+  Noise sum;
+  float strength = 0.55f, scale = 1;
+  for (int octave = 0; octave < octaves; ++octave) {
     // Each octave is displaced, so that the lattices do not line up.
-    sum += strength * value_noise(scale * p + Vec3f::Constant(17.3f * octave));
+    const auto shift = Vec3f::Constant(17.3f * static_cast<float>(octave));
+    const Noise one = value_noise(scale * p + shift);
+    sum.value += strength * one.value;
+    sum.gradient += strength * scale * one.gradient;
     strength *= 0.5f;
     scale *= 2.03f;
   }

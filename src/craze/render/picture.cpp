@@ -1,6 +1,7 @@
 #include "craze/render/picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "craze/base/error.h"
@@ -28,6 +29,10 @@ Bounds bounds(const std::vector<Vec3>& points) {
   return {(low + high) / 2, (high - low).norm()};
 }
 
+const std::vector<Vec3>& subject(const SurfaceMesh& mesh, const PictureOptions& options) {
+  return options.subject.empty() ? mesh.positions : options.subject;
+}
+
 [[noreturn]] void refuse(const std::string& where, const std::string& why) {
   throw Error(ErrorKind::request, "cannot draw a picture", where, why);
 }
@@ -41,6 +46,10 @@ void check(const SurfaceMesh& mesh, const CrackLines* lines, const PictureOption
   if (options.samples < 1 || options.samples > 4096) {
     refuse("samples " + std::to_string(options.samples), "must be 1 to 4096");
   }
+  if (!(options.view.zoom > 0) || !(options.view.field_of_view > 0) ||
+      !(options.view.field_of_view < 180)) {
+    refuse("view", "the zoom must be above 0, the field of view between 0 and 180 degrees");
+  }
   if (mesh.triangles.empty()) refuse("mesh", "it has no triangles");
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (!mesh.positions[v].allFinite()) {
@@ -49,6 +58,9 @@ void check(const SurfaceMesh& mesh, const CrackLines* lines, const PictureOption
   }
   if (lines && lines->cracks.first.size() > mesh.triangles.size() + 1) {
     refuse("crack lines", "they belong to a mesh with more faces");
+  }
+  if (lines && lines->places.size() > mesh.positions.size()) {
+    refuse("crack lines", "they belong to a mesh with more vertices");
   }
 }
 
@@ -59,6 +71,16 @@ std::vector<std::uint8_t> find_walls(const SurfaceMesh& mesh) {
     is_wall[f] = m >= 0 && mesh.material_names[m] == "crack_wall" ? 1 : 0;
   }
   return is_wall;
+}
+
+std::vector<std::int32_t> find_pieces(const SurfaceMesh& mesh) {
+  const Attribute* fragment = find_attribute(mesh.face_attributes, "fragment");
+  if (!fragment || fragment->components != 1) return {};
+  std::vector<std::int32_t> pieces;
+  for (const double id : fragment->values) {
+    pieces.push_back(std::abs(id) < 2e9 ? static_cast<std::int32_t>(id) : 0);
+  }
+  return pieces;
 }
 
 /// The mesh's own normals where it has them.
@@ -74,32 +96,42 @@ std::vector<Vec3f> shading_normals(const SurfaceMesh& mesh, double crease) {
 
 double line_width(const SurfaceMesh& mesh, const PictureOptions& options) {
   if (options.line_width > 0 || mesh.positions.empty()) return options.line_width;
-  return 0.0021 * bounds(mesh.positions).diagonal;
+  return 0.0021 * bounds(subject(mesh, options)).diagonal;
 }
 
 double line_reach(const SurfaceMesh& mesh, const PictureOptions& options) {
-  return LinePainter::reach * line_width(mesh, options);
+  const double diagonal = mesh.positions.empty() ? 0 : bounds(subject(mesh, options)).diagonal;
+  return std::max(LinePainter::reach * line_width(mesh, options),
+                  1.5 * options.material.fissure * diagonal);
 }
 
 Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
                      const PictureOptions& options, const Context& context) {
   check(mesh, lines, options);
-  const Bounds box = bounds(mesh.positions);
+  const Bounds box = bounds(subject(mesh, options));
   const double scale = box.diagonal > 0 ? 1 / box.diagonal : 1;
 
   TracedModel model;
   model.positions.reserve(mesh.positions.size());
   for (const Vec3& p : mesh.positions) model.positions.push_back(scale * (p - box.centre));
+  model.places = model.positions;
+  for (std::size_t v = 0; lines && v < lines->places.size(); ++v) {
+    model.places[v] = scale * (lines->places[v] - box.centre);
+  }
   model.triangles = mesh.triangles;
   model.normals = shading_normals(mesh, options.crease);
   model.is_wall = find_walls(mesh);
+  model.pieces = find_pieces(mesh);
   const LinePainter painter(lines ? *lines : CrackLines{}, box.centre, scale,
                             scale * line_width(mesh, options) / 2);
   model.lines = lines ? &painter : nullptr;
 
-  const Camera camera =
-      frame(model.positions, options.view, static_cast<double>(options.width) / options.height);
-  const Studio studio(camera, options.backdrop.value_or(options.material.backdrop));
+  std::vector<Vec3> framed = subject(mesh, options);
+  for (Vec3& p : framed) p = scale * (p - box.centre);
+  View view = options.view;
+  if (view.target) view.target = scale * (*view.target - box.centre);
+  const Camera camera = frame(framed, view, static_cast<double>(options.width) / options.height);
+  const Studio studio(camera, options.backdrop.value_or(options.material.backdrop), options.light);
   const int groups = (options.samples + RayScene::lanes - 1) / RayScene::lanes;
   const Tracer tracer(model, options.material, camera, studio, options.ground, groups,
                       options.seed);

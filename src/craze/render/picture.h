@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "craze/base/context.h"
 #include "craze/mesh/surface_mesh.h"
@@ -10,6 +11,7 @@
 #include "craze/render/crack_lines.h"
 #include "craze/render/image.h"
 #include "craze/render/material.h"
+#include "craze/render/studio.h"
 
 namespace craze::render {
 
@@ -17,11 +19,15 @@ struct PictureOptions {
   int width = 1280, height = 960;  ///< pixels
   int samples = 16;                ///< per pixel, rounded up to a multiple of 16
   View view;
+  /// What the camera frames and sizes are measured by, for pictures that belong together; empty:
+  /// the mesh.
+  std::vector<Vec3> subject;
+  LampPlace light;
   Material material = find_material("clay");
   std::optional<Rgb> backdrop;  ///< by default the material's
   bool ground = true;           ///< a floor that catches the shadow
   double line_width = 0;  ///< of a crack line, model units; 0: a fixed part of the mesh's diagonal
-  double crease = 50;     ///< degrees: sharper edges are shaded as edges, if normals are not given
+  double crease = 75;     ///< degrees: sharper edges are shaded as edges, if normals are not given
   float exposure = 1;
   std::uint64_t seed = 1;
 };

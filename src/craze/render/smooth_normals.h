@@ -8,9 +8,10 @@
 
 namespace craze::render {
 
-/// 3 #F, unit: at each corner, the mean of the normals of the faces around that point, weighted by
-/// their angles there, leaving out faces that meet this one at more than `crease` degrees. Corners
-/// are joined by position, so an open crack or a texture seam leaves no mark in the shading.
+/// 3 #F, unit: at each corner, the mean of the normals of the faces that it is smoothly joined to
+/// around its point, weighted by their angles there. Faces that meet at less than `crease` degrees
+/// are joined, and what they are joined to, so that a rim that bends round in several steps is
+/// round. Corners are joined by place: an open crack or a texture seam leaves no mark.
 std::vector<Vec3f> smooth_normals(const SurfaceMesh& mesh, double crease);
 
 }  // namespace craze::render

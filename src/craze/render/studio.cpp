@@ -1,6 +1,7 @@
 #include "craze/render/studio.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace craze::render {
 
@@ -12,7 +13,7 @@ Vec3f direction(const Vec3& d) {
 
 }  // namespace
 
-Studio::Studio(const Camera& camera, const Rgb& backdrop)
+Studio::Studio(const Camera& camera, const Rgb& backdrop, const LampPlace& lamp)
     : vertical_(direction(camera.vertical)),
       right_(direction(camera.right)),
       up_(direction(camera.up)),
@@ -26,7 +27,22 @@ Studio::Studio(const Camera& camera, const Rgb& backdrop)
   lamp_ = direction(-0.75 * camera.right + 0.95 * camera.vertical + (1.3 * above - 0.7) * back);
   window_ = direction(-0.8 * camera.right + (0.12 + 0.5 * above) * camera.vertical +
                       (1.2 * above - 0.62) * back);
+  if (lamp.azimuth || lamp.elevation) place_lamp(camera, back, lamp);
   strip_ = direction(0.95 * camera.right + 0.45 * camera.vertical + 0.1 * back);
+}
+
+void Studio::place_lamp(const Camera& camera, const Vec3& back, const LampPlace& lamp) {
+  constexpr double degree = std::numbers::pi / 180;
+  const Vec3 usual = lamp_.cast<double>();
+  const double azimuth =
+      lamp.azimuth.value_or(std::atan2(usual.dot(camera.right), -usual.dot(back)) / degree) *
+      degree;
+  const double elevation =
+      lamp.elevation.value_or(std::asin(usual.dot(camera.vertical)) / degree) * degree;
+  const Vec3 level = std::sin(azimuth) * camera.right - std::cos(azimuth) * back;
+  lamp_ = direction(std::cos(elevation) * level + std::sin(elevation) * camera.vertical);
+  // The window that shines in reflections is on the same side.
+  window_ = direction(level + std::sin(elevation) * camera.vertical);
 }
 
 Rgb Studio::sky(const Vec3f& d) const {

@@ -1,16 +1,23 @@
 // The light a picture is taken in: one large lamp, a bright tent around it, a grey backdrop.
 #pragma once
 
+#include <optional>
+
 #include "craze/render/camera.h"
 #include "craze/render/color.h"
 
 namespace craze::render {
 
+/// Where the lamp stands, degrees: to the right of the camera, 180 behind the object; and above the
+/// horizon. By default to the left of the camera, and behind the object when seen from above, so
+/// that relief always shows.
+struct LampPlace {
+  std::optional<double> azimuth, elevation;
+};
+
 class Studio {
  public:
-  /// The lamp stands to the left of the camera, and behind the object when seen from above, so that
-  /// relief always shows.
-  Studio(const Camera& camera, const Rgb& backdrop);
+  Studio(const Camera& camera, const Rgb& backdrop, const LampPlace& lamp = {});
 
   const Vec3f& vertical() const { return vertical_; }
   const Vec3f& lamp_direction() const { return lamp_; }
@@ -30,6 +37,7 @@ class Studio {
   void project(const Vec3f& d, float& x, float& y) const;
 
  private:
+  void place_lamp(const Camera& camera, const Vec3& back, const LampPlace& lamp);
   float screen(const Vec3f& d, const Vec3f& centre, const Vec3f& upright, float half_width,
                float half_height) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "craze/base/random.h"
 #include "craze/render/noise.h"
 
 namespace craze::render {
@@ -12,10 +13,9 @@ float fresnel(float cosine) {
   return 0.04f + 0.96f * m2 * m2 * m;
 }
 
-LineSample line_at(const TracedModel& model, const Hit& hit, const Vec3f& position,
-                   float footprint) {
+LineSample line_at(const TracedModel& model, const Hit& hit, const Vec3f& place, float footprint) {
   if (!model.lines || model.is_wall[hit.face]) return {};
-  return model.lines->at(hit.face, position, footprint);
+  return model.lines->at(hit.face, place, footprint);
 }
 
 Surface surface_at(const TracedModel& model, const Material& material, const Ray& ray,
@@ -35,17 +35,29 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
   s.normal = (w0 * n[0] + hit.u * n[1] + hit.v * n[2]).stableNormalized();
   if (s.normal.dot(s.geometric) < 0) s.normal = -s.normal;
   if (s.normal.isZero()) s.normal = s.geometric;
+  const auto place = [&](int i) { return model.places[t[i]].cast<float>(); };
+  s.place = w0 * place(0) + hit.u * place(1) + hit.v * place(2);
+  // [Hanika 2021, "Hacking the shadow terminator"] Up to the planes through the corners across
+  // their normals.
+  s.raised = s.position;
+  const float weights[3] = {w0, hit.u, hit.v};
+  const Vec3f* corners[3] = {&a, &b, &c};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3f up = n[i].dot(s.geometric) < 0 ? Vec3f(-n[i]) : n[i];
+    s.raised -= weights[i] * std::min(0.0f, up.dot(s.position - *corners[i])) * up;
+  }
 
   const bool wall = model.is_wall[hit.face] != 0;
   s.albedo = wall ? material.wall : material.color;
   s.coat = wall ? 0 : material.coat;
   if (!wall) {
-    const LineSample line = line_at(model, hit, s.position, footprint);
+    const LineSample line = line_at(model, hit, s.place, footprint);
     const float core = line.core * material.line_strength;
     s.albedo *= 1 - line.stain * material.stain;
     s.albedo += core * (material.line - s.albedo);
     s.coat *= 1 - 0.7f * core;
-    s.normal = (s.normal + material.groove * line.tilt).normalized();
+    const float lean = model.lines && model.lines->shows_gaps() ? material.worn : material.groove;
+    s.normal = (s.normal + lean * line.tilt).normalized();
   }
   // A smooth normal may turn away from the eye at the silhouette.
   const float away = s.normal.dot(s.view);
@@ -55,16 +67,25 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
   return s;
 }
 
-Grain grain_at(const Material& material, const Vec3f& position) {
+Grain grain_at(const Material& material, const Vec3f& place, std::int32_t piece, bool wall) {
   Grain grain;
-  if (material.mottle > 0) grain.tint += material.mottle * fractal_noise(14 * position);
-  if (material.bump > 0) {
-    const Vec3f p = 34 * position;
-    const float here = fractal_noise(p), step = 0.1f;
+  const Random random(static_cast<std::uint64_t>(piece));
+  if (material.pieces > 0 && !wall) {
+    grain.tint += 0.16f * material.pieces * static_cast<float>(random.uniform_at(0) - 0.5);
     for (int k = 0; k < 3; ++k) {
-      grain.tilt[k] = here - fractal_noise(p + step * Vec3f::Unit(k));
+      grain.tilt[k] = 0.1f * material.pieces * static_cast<float>(random.uniform_at(k + 1) - 0.5);
     }
-    grain.tilt *= material.bump / step;
+  }
+  if (material.mottle > 0) grain.tint += material.mottle * fractal_noise(14 * place).value;
+  if (material.grit > 0) {
+    const float spot =
+        value_noise(330 * place).value * (0.6f + 0.4f * value_noise(60 * place).value);
+    grain.tint += 0.22f * material.grit * spot;
+    grain.tilt -= 0.16f * material.grit * fractal_noise(130 * place, 2).gradient;
+  }
+  if (material.bump > 0) {
+    const float frequency = wall ? 60 : 34, strength = (wall ? 2 : 1) * material.bump;
+    grain.tilt -= strength * fractal_noise(frequency * place).gradient;
   }
   return grain;
 }

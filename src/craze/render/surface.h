@@ -14,9 +14,11 @@ namespace craze::render {
 /// What is drawn, in render units: near the origin and of unit size.
 struct TracedModel {
   std::vector<Vec3> positions;
+  std::vector<Vec3> places;  ///< #V: where on the body a vertex is, for patterns that go with it
   std::vector<Triangle> triangles;
   std::vector<Vec3f> normals;         ///< 3 #F
   std::vector<std::uint8_t> is_wall;  ///< #F
+  std::vector<std::int32_t> pieces;   ///< #F, the fragment of each face; or empty
   const LinePainter* lines = nullptr;
 };
 
@@ -24,6 +26,10 @@ struct TracedModel {
 struct Surface {
   bool lit = false, is_floor = false;
   Vec3f position = Vec3f::Zero(), geometric = Vec3f::UnitZ(), normal = Vec3f::UnitZ();
+  Vec3f place = Vec3f::Zero();  ///< for patterns
+  /// Where rays start: on the smooth surface that the normals belong to, not below it, or triangles
+  /// would shade each other in a pattern along the edge of the light.
+  Vec3f raised = Vec3f::Zero();
   Vec3f view = Vec3f::UnitZ();  ///< unit, from the eye
   Rgb albedo = Rgb::Zero();
   float coat = 0;  ///< part of the light that the coat mirrors
@@ -42,10 +48,10 @@ float fresnel(float cosine);
 Surface surface_at(const TracedModel& model, const Material& material, const Ray& ray,
                    const Hit& hit, float footprint);
 
-Grain grain_at(const Material& material, const Vec3f& position);
+/// `piece` tells fragments apart; walls are rougher.
+Grain grain_at(const Material& material, const Vec3f& place, std::int32_t piece, bool wall);
 
 /// Cracks as the lines drawn at a hit; none on walls.
-LineSample line_at(const TracedModel& model, const Hit& hit, const Vec3f& position,
-                   float footprint);
+LineSample line_at(const TracedModel& model, const Hit& hit, const Vec3f& place, float footprint);
 
 }  // namespace craze::render

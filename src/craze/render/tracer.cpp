@@ -5,23 +5,16 @@
 #include <limits>
 #include <optional>
 
+#include "craze/render/rays.h"
+
 namespace craze::render {
 
 namespace {
 
-constexpr float ray_offset = 2e-5f;
 /// Light from hidden directions: the object's own colour, lit about half as well.
 constexpr float bounce = 0.22f;
 /// Within this distance of the object's centre the floor may be in its shadow.
 constexpr float floor_radius = 2;
-
-Vec3f mirrored(const Vec3f& d, const Vec3f& n) {
-  return (d - 2 * d.dot(n) * n).normalized();
-}
-
-Ray ray_from(const Vec3f& position, const Vec3f& side, const Vec3f& direction) {
-  return {position + ray_offset * side, direction, ray_offset, true};
-}
 
 }  // namespace
 
@@ -50,7 +43,7 @@ Surface Tracer::floor_or_backdrop(const Ray& ray) const {
   const float descent = ray.direction.dot(studio_.vertical());
   if (!has_floor_ || descent >= 0) return s;
   const float t = (floor_height_ - ray.origin.dot(studio_.vertical())) / descent;
-  s.position = ray.origin + t * ray.direction;
+  s.position = s.raised = ray.origin + t * ray.direction;
   s.normal = s.geometric = studio_.vertical();
   // Beyond, the floor is as bright as the backdrop and merges with it.
   s.is_floor = s.lit = t > 0 && s.position.norm() < floor_radius;
@@ -97,12 +90,12 @@ void Tracer::light(const Surfaces& surfaces, const PixelSamples& samples, int fi
     if (!s.lit) continue;
     const Vec3f to_lamp =
         cone_direction(studio_.lamp_direction(), studio_.lamp_size(), samples.lamp[first + i]);
-    lamp[i] = ray_from(s.position, s.geometric, to_lamp);
+    lamp[i] = ray_from(s.raised, s.geometric, to_lamp);
     lamp[i].active = to_lamp.dot(s.normal) > 0;
-    sky[i] = ray_from(s.position, s.geometric, cosine_direction(s.normal, samples.sky[first + i]));
+    sky[i] = ray_from(s.raised, s.geometric, cosine_direction(s.normal, samples.sky[first + i]));
     if (s.coat > 0) {
       any_mirror = true;
-      mirror[i] = ray_from(s.position, s.geometric, mirrored(s.view, s.normal));
+      mirror[i] = ray_from(s.raised, s.geometric, reflected(s));
     }
   }
   RayScene::Flags lamp_hidden, sky_hidden, mirror_hidden{};
@@ -129,36 +122,6 @@ void Tracer::light(const Surfaces& surfaces, const PixelSamples& samples, int fi
     sum.position += weight * s.position;
     if (s.is_floor) sum.floor += weight;
   }
-}
-
-Rgb Tracer::through_glass(const Ray& first_ray, const Hit& first_hit, float footprint) const {
-  Ray ray = first_ray;
-  Hit hit = first_hit;
-  Rgb seen = Rgb::Zero(), clear = Rgb::Ones();
-  // Eight layers are more than the eye can tell apart.
-  for (int layer = 0; layer < 8 && hit.face >= 0; ++layer) {
-    const Surface s = surface_at(model_, material_, ray, hit, footprint);
-    const float cosine = std::max(0.02f, -s.normal.dot(s.view));
-    const float mirror = fresnel(cosine);
-    const float depth = layer == 0 ? 1.0f : 0.6f;
-    seen += depth * mirror * clear * studio_.reflection(mirrored(s.view, s.normal));
-    clear *= (1 - mirror) * material_.color.pow(0.6f / std::sqrt(cosine));
-
-    LineSample line = line_at(model_, hit, s.position, footprint);
-    if (model_.is_wall[hit.face]) line.core = 0.3f;
-    // A crack is a bright plane inside the glass: it scatters light and hides what is behind.
-    const float veil =
-        std::clamp(material_.line_strength * line.core + material_.stain * line.stain, 0.0f, 1.0f);
-    const float facing = std::abs(s.geometric.dot(studio_.lamp_direction()));
-    seen += depth * veil * clear * material_.line * (0.55f + 0.75f * facing);
-    clear *= 1 - veil;
-
-    // Bend a little towards the inside of each layer.
-    const Vec3f bent = (s.view - 0.12f * (1 - cosine) * s.normal).normalized();
-    ray = ray_from(s.position, -s.geometric, bent);
-    hit = scene_.intersect(ray);
-  }
-  return seen + clear * (0.8f * backdrop(ray.direction) + 0.2f * studio_.reflection(ray.direction));
 }
 
 Pixel Tracer::trace(int x, int y, int width, int height) const {
@@ -197,7 +160,11 @@ Pixel Tracer::trace(int x, int y, int width, int height) const {
         sum.direct += through_glass(rays[i], hits[i], footprint);
       } else {
         s = surface_at(model_, material_, rays[i], hits[i], footprint);
-        if (!grain) grain = grain_at(material_, s.position);
+        if (!grain) {
+          const std::int32_t face = hits[i].face;
+          grain = grain_at(material_, s.place, model_.pieces.empty() ? 0 : model_.pieces[face],
+                           model_.is_wall[face] != 0);
+        }
         s.albedo *= grain->tint;
         s.normal = (s.normal + grain->tilt - grain->tilt.dot(s.normal) * s.normal).normalized();
       }

@@ -28,6 +28,9 @@ class Tracer {
 
   Surface floor_or_backdrop(const Ray& ray) const;
   Rgb backdrop(const Vec3f& direction) const;
+  /// How much of a ray that goes on `inside` the glass a crack plane below the surface mirrors, and
+  /// the plane's normal there.
+  float fissure(const Surface& s, const Vec3f& inside, const LineSample& line, Vec3f& facet) const;
   Rgb through_glass(const Ray& ray, const Hit& hit, float footprint) const;
   void light(const Surfaces& surfaces, const PixelSamples& samples, int first, int count,
              float weight, Pixel& sum) const;

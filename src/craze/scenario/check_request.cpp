@@ -2,13 +2,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <vector>
 
 #include "craze/base/error.h"
+#include "craze/io/write_mesh.h"
 #include "craze/render/material.h"
+#include "craze/render/video.h"
 #include "craze/scenario/run.h"
 
 namespace craze {
@@ -23,16 +24,9 @@ struct Output {
   std::vector<std::string> extensions;
 };
 
-std::string lower_extension_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 void check_extension(const Output& output) {
   const auto& known = output.extensions;
-  if (std::find(known.begin(), known.end(), lower_extension_of(output.path)) != known.end()) return;
+  if (std::find(known.begin(), known.end(), lower_extension(output.path)) != known.end()) return;
   std::string list;
   for (const std::string& extension : known) list += (list.empty() ? "" : ", ") + extension;
   throw Error(ErrorKind::usage, std::string("cannot write ") + output.what, output.path,
@@ -54,6 +48,32 @@ void check_folder(const Output& output) {
   if (!in_place && access(folder.c_str(), W_OK) != 0) fail("its folder cannot be written");
 }
 
+/// Asked for together, what makes no sense alone.
+void check_growth(const RunRequest& request) {
+  const auto wrong = [](const char* what, const std::string& where, const char* why) {
+    throw Error(ErrorKind::usage, what, where, why);
+  };
+  const bool any = request.animate || request.split_fragments;
+  if (any && request.output.empty()) {
+    wrong("cannot write the mesh", request.animate ? "--animate" : "--fragments",
+          "give the file: -o FILE.glb");
+  }
+  if (any) check_mesh_file(request.output, request.split_fragments, request.animate);
+  if (request.animate && request.recipe.post.gap == 0) {
+    wrong("nothing would move", "--animate",
+          "the cracks stay shut; open them, for example with --set post.gap=0.1");
+  }
+  const std::vector<std::string> formats{"png", "ply", "obj", "stl", "glb"};
+  if (std::find(formats.begin(), formats.end(), request.frame_format) == formats.end()) {
+    wrong("cannot write the frames", request.frame_format,
+          "the format must be png, ply, obj, stl or glb");
+  }
+  if (!request.video.empty() && !render::has_ffmpeg()) {
+    throw Error(ErrorKind::request, "cannot write the video", request.video,
+                "ffmpeg is not installed; with --frames DIR the pictures are written one by one");
+  }
+}
+
 }  // namespace
 
 void check_picture_path(const std::string& path) {
@@ -69,6 +89,7 @@ void check_request(const RunRequest& request) {
       {"the mesh", request.output, {".ply", ".obj", ".stl", ".glb"}},
       {"the crack lines", request.lines, {".ply", ".obj", ".svg", ".json"}},
       {"the picture", request.picture, {".png"}},
+      {"the video", request.video, {".mp4", ".webm"}},
       {"the fields", request.fields, {".ply"}},
       {"the report", report_file ? request.report : none, {".json"}},
   };
@@ -85,13 +106,15 @@ void check_request(const RunRequest& request) {
   }
   if (!request.frames.empty()) {
     // The folder itself may be new, the one it lies in may not.
-    const fs::path frames = fs::path(request.frames) / "frame_0000.png";
+    const fs::path frames = fs::path(request.frames) / ("frame_0000." + request.frame_format);
     if (fs::exists(request.frames)) check_folder({"the frames", frames.string(), {}});
   }
+  check_growth(request);
   render::find_material(request.recipe.picture.material);
   if (taken.empty() && request.report.empty() && request.frames.empty()) {
-    throw Error(ErrorKind::usage, "nothing to write", "",
-                "give -o FILE, or one of --lines, --picture, --frames, --fields, --report");
+    throw Error(
+        ErrorKind::usage, "nothing to write", "",
+        "give -o FILE, or one of --lines, --picture, --frames, --video, --fields, --report");
   }
 }
 

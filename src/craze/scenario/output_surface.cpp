@@ -1,6 +1,7 @@
 #include "craze/scenario/output_surface.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "craze/bake/nearby_cracks.h"
 #include "craze/bake/segment_distance.h"
@@ -30,37 +31,49 @@ Attribute make(const char* name, int components, std::int32_t n, double value) {
   return {name, components, std::vector<double>(static_cast<std::size_t>(n) * components, value)};
 }
 
-void add_nearest_crack(SurfaceMesh& result, const Simulation& simulation) {
+void add_nearest_crack(SurfaceMesh& result, const Simulation& simulation,
+                       const CrackSchedule& schedule) {
   const TriangleMesh& mesh = simulation.mesh();
   const std::vector<double> times = simulation.crack_times();
   const double far = box_diagonal(mesh.positions());
-  const NearbyCracks cracks = nearby_cracks(mesh, crack_sides(mesh), far);
+  const std::vector<std::int32_t> sides = crack_sides(mesh);
+  const NearbyCracks cracks = nearby_cracks(mesh, sides, far);
   Attribute distance = make("crack_distance", 1, mesh.vertex_count(), far);
   Attribute time = make("crack_time", 1, mesh.vertex_count(), -1);
+  Attribute growth = make("crack_growth", 1, mesh.vertex_count(), -1);
+  const auto arrival = [&](const NearbyCrack& seen, const Vec3& p) {
+    const auto side = std::lower_bound(sides.begin(), sides.end(), seen.halfedge);
+    const auto& [from, to] = schedule.sides[static_cast<std::size_t>(side - sides.begin())];
+    return from + nearest_on_segment(p, seen.a, seen.b) * (to - from);
+  };
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Vec3& p = mesh.position(v);
     mesh.for_each_outgoing(v, [&](std::int32_t h) {
       for (const NearbyCrack& seen : cracks.of(TriangleMesh::face_of(h))) {
-        const double d = point_segment_distance(mesh.position(v), seen.a, seen.b);
+        const double d = point_segment_distance(p, seen.a, seen.b);
         const double t = times[mesh.crack_of(seen.halfedge)];
         if (d > distance.values[v]) continue;
         // Of cracks that meet at the vertex, the first that opened.
-        if (d == distance.values[v] && time.values[v] >= 0 && t >= time.values[v]) continue;
+        const bool tie = d == distance.values[v] && time.values[v] >= 0;
+        if (!tie || t < time.values[v]) time.values[v] = t;
+        const double came = arrival(seen, p);
+        if (!tie || came < growth.values[v]) growth.values[v] = came;
         distance.values[v] = d;
-        time.values[v] = t;
       }
     });
   }
   set_attribute(result.vertex_attributes, std::move(distance));
   set_attribute(result.vertex_attributes, std::move(time));
+  set_attribute(result.vertex_attributes, std::move(growth));
 }
 
 }  // namespace
 
 SurfaceMesh output_surface(const SurfaceMesh& surface, const Simulation& simulation,
-                           const Components& fragments) {
+                           const CrackSchedule& schedule, const Components& fragments) {
   const TriangleMesh& mesh = simulation.mesh();
   SurfaceMesh result = transfer_attributes(surface, mesh);
-  add_nearest_crack(result, simulation);
+  add_nearest_crack(result, simulation, schedule);
 
   Attribute displacement{"displacement", 3, {}};
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {

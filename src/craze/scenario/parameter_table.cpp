@@ -216,7 +216,10 @@ std::vector<Parameter> make_table() {
       .add("near_vertex", &CrackParameters::near_vertex, any,
            {.help = "within snap_angle of an edge: \"snap\" bends the crack to the edge, \"slide\" "
                     "moves the edge's end onto the crack, so that cracks do not see the mesh",
-            .choices = {"snap", "slide"}});
+            .choices = {"snap", "slide"}})
+      .add("stride", &CrackParameters::stride, not_negative,
+           {.help = "how far a crack runs straight on before equilibrium is sought again, as a "
+                    "multiple of the screening length; 0: one edge (quasistatic)"});
 
   Section(
       t, "post.", [](auto& r, std::size_t) -> auto& { return r.post; })
@@ -229,7 +232,7 @@ std::vector<Parameter> make_table() {
             .unit = "length",
             .source = "[IO06 §5]"})
       .add("curl", &PostParameters::curl, any,
-           {.help = "lift of the crack edges, as a share of their displacement",
+           {.help = "lift of the crack edges, as a share of their displacement; below 0: down",
             .source = "[IO06 §5, Fig. 9]"});
 
   Section(

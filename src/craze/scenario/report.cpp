@@ -42,6 +42,7 @@ nlohmann::ordered_json report_to_json(const RunReport& r) {
             {"fragments", r.cracks.fragments}}},
           {"load", r.load},
           {"stop_reason", r.stop_reason},
+          {"warnings", r.warnings},
           {"time",
            {{"total", r.time.total},
             {"load", r.time.load},

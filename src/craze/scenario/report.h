@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "craze/mesh/repair.h"
 #include "craze/scenario/recipe.h"
@@ -42,11 +43,12 @@ struct RunReport {
   RunTimes time;
   double load = 0;  ///< load factor at the end
   std::string stop_reason;
+  std::vector<std::string> warnings;  ///< what could not be done as asked
   nlohmann::ordered_json statistics = nlohmann::ordered_json::object();
 };
 
 /// Keys: version seed threads engine; input, simulation, output .{vertices,triangles};
-/// cracks.{events,segments,length,fragments}; load; stop_reason;
+/// cracks.{events,segments,length,fragments}; load; stop_reason; warnings;
 /// time.{total,load,prepare,relax,separation,crack,write}; statistics; repair; recipe.
 nlohmann::ordered_json report_to_json(const RunReport& report);
 

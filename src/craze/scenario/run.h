@@ -21,10 +21,16 @@ struct RunRequest {
   std::string output;   ///< the cracked mesh: .ply .obj .stl .glb
   std::string lines;    ///< the cracks: .ply .obj .svg .json
   std::string picture;  ///< .png
-  std::string frames;   ///< a folder, made if need be: frame_0000.png … of the growth
+  std::string frames;   ///< a folder, made if need be: frame_0000 … of the growth
   int frame_count = 24;
-  std::string fields;  ///< stress, forces and curvatures at the end: .ply
-  std::string report;  ///< .json, or "-": only in the result
+  std::string frame_format = "png";  ///< pictures, or meshes: ply, obj, stl, glb
+  std::string video;                 ///< the frames' pictures as .mp4 or .webm; needs ffmpeg
+  bool animate = false;              ///< `output`, a .glb, plays the growth
+  int animation_stages = 32;         ///< morph targets of it
+  double clip_seconds = 4;           ///< how long the growth takes there and in the video
+  bool split_fragments = false;      ///< `output`, .obj or .glb, has an object per fragment
+  std::string fields;                ///< stress, forces and curvatures at the end: .ply
+  std::string report;                ///< .json, or "-": only in the result
 };
 
 struct RunResult {

@@ -1,0 +1,43 @@
+// The binary part of a GLB file and the accessors into it.
+#pragma once
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "craze/base/tensor.h"
+
+namespace craze {
+
+class GlbBuffer {
+ public:
+  enum class Target { none, vertices, triangles };  ///< what a view is used for
+
+  /// Each appends one accessor and returns its index. Numbers beyond single precision are clamped.
+  std::size_t add_floats(std::span<const float> numbers, int components, Target target);
+  std::size_t add_indices(std::span<const std::uint32_t> indices);
+  /// With the bounds that POSITION must have.
+  std::size_t add_positions(std::span<const std::array<float, 3>> positions);
+  /// `count` vectors, zero but for those at `indices` (ascending). With bounds.
+  std::size_t add_sparse_vectors(std::size_t count, std::span<const std::uint32_t> indices,
+                                 std::span<const std::array<float, 3>> vectors);
+  /// Scalars with bounds, as the keys of an animation must have.
+  std::size_t add_keys(std::span<const float> keys);
+
+  /// The file: `root` with accessors, views and buffer added, and the bytes. Throws Error(request)
+  /// for more than 4 GB.
+  std::string pack(nlohmann::ordered_json root) const;
+
+ private:
+  template <class T>
+  std::size_t add_view(std::span<const T> numbers, Target target);
+  std::size_t add_accessor(std::size_t view, int component, std::size_t count, const char* type);
+
+  std::string bytes_;
+  nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();
+  nlohmann::ordered_json views_ = nlohmann::ordered_json::array();
+};
+
+}  // namespace craze

@@ -1,0 +1,27 @@
+// Where rays go from a surface.
+#pragma once
+
+#include "craze/render/ray_scene.h"
+#include "craze/render/surface.h"
+
+namespace craze::render {
+
+constexpr float ray_offset = 2e-5f;  ///< render units: far more than rounding
+
+inline Vec3f mirrored(const Vec3f& d, const Vec3f& n) {
+  return (d - 2 * d.dot(n) * n).normalized();
+}
+
+/// Off the smooth surface, but never into the triangle.
+inline Vec3f reflected(const Surface& s) {
+  const Vec3f d = mirrored(s.view, s.normal);
+  const float rises = d.dot(s.geometric);
+  constexpr float least = 0.02f;
+  return rises >= least ? d : Vec3f((d + (least - rises) * s.geometric).normalized());
+}
+
+inline Ray ray_from(const Vec3f& position, const Vec3f& side, const Vec3f& direction) {
+  return {position + ray_offset * side, direction, ray_offset, true};
+}
+
+}  // namespace craze::render

@@ -1,0 +1,152 @@
+#include "craze/render/video.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+#include "craze/base/error.h"
+
+extern char** environ;
+
+namespace craze::render {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Starts ffmpeg with `input` as its standard input, in a process group of its own, so that a
+/// Ctrl-C ends the run and not the video. Returns 0 or the system's error.
+int start(std::vector<std::string> arguments, int input, int messages, pid_t& process) {
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, messages, STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  const int error = posix_spawnp(&process, argv[0], &files, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+  return error;
+}
+
+}  // namespace
+
+bool has_ffmpeg() {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const fs::path program = fs::path(folder) / "ffmpeg";
+    std::error_code ignored;
+    if (fs::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+Video::Video(const std::string& path, int width, int height, double frames_per_second)
+    : path_(path) {
+  const fs::path place(path);
+  const std::string name = fmt::format(".craze-{}-{}", getpid(), place.filename().string());
+  partial_ = fs::absolute(place.parent_path() / name).string();
+  try {
+    messages_ = std::tmpfile();
+    int ends[2];
+    if (!messages_ || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+      fail(std::strerror(errno));
+    }
+    input_ = ends[0];
+    const int error =
+        start({"ffmpeg", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo", "-pix_fmt",
+               "rgb24", "-video_size", fmt::format("{}x{}", width, height), "-framerate",
+               fmt::format("{}", frames_per_second), "-i", "pipe:0",
+               // What every player can show: colours at half resolution, hence even sizes.
+               "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", partial_},
+              ends[1], fileno(messages_), process_);
+    close(ends[1]);
+    if (error != 0) {
+      process_ = -1;
+      fail(error == ENOENT ? "ffmpeg was not found" : std::strerror(error));
+    }
+  } catch (...) {
+    release();
+    throw;
+  }
+}
+
+Video::~Video() {
+  release();
+}
+
+void Video::release() {
+  if (input_ >= 0) close(input_);
+  if (process_ > 0) {
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+  }
+  if (messages_) std::fclose(messages_);
+  std::error_code ignored;
+  if (!partial_.empty()) fs::remove(partial_, ignored);
+}
+
+void Video::add(const Image& image) {
+  std::size_t sent = 0;
+  while (sent < image.rgb.size()) {
+    const ssize_t n = send(input_, image.rgb.data() + sent, image.rgb.size() - sent, MSG_NOSIGNAL);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) {
+      wait();
+      fail("ffmpeg stopped before the end");
+    }
+    sent += static_cast<std::size_t>(n);
+  }
+}
+
+void Video::finish() {
+  close(input_);
+  input_ = -1;
+  if (!wait()) fail("ffmpeg failed");
+  std::error_code error;
+  fs::rename(partial_, path_, error);
+  if (error) fail(error.message());
+  partial_.clear();
+}
+
+bool Video::wait() {
+  int status = 0;
+  pid_t ended;
+  do {
+    ended = waitpid(process_, &status, 0);
+  } while (ended < 0 && errno == EINTR);
+  process_ = -1;
+  return ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+void Video::fail(const std::string& otherwise) {
+  std::string said;
+  if (messages_) {
+    std::rewind(messages_);
+    for (int c = std::fgetc(messages_); c != EOF && c != '\n'; c = std::fgetc(messages_)) {
+      said += static_cast<char>(c);
+    }
+  }
+  throw Error(ErrorKind::output, "cannot write the video", path_, said.empty() ? otherwise : said);
+}
+
+}  // namespace craze::render

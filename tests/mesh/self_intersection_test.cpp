@@ -1,0 +1,69 @@
+#include "craze/mesh/self_intersection.h"
+
+#include <gtest/gtest.h>
+
+#include "bake/surfaces.h"
+
+namespace craze {
+namespace {
+
+using Pairs = std::vector<std::array<std::int32_t, 2>>;
+
+TEST(SelfIntersection, TwoTrianglesThatCrossAreFoundWhicheverIsFirst) {
+  const std::vector<Vec3> p{{0, 0, 0},      {1, 0, 0},     {0, 1, 0},
+                            {0.2, 0.2, -1}, {0.2, 0.2, 1}, {3, 3, 0}};
+  EXPECT_EQ(self_intersections(p, {{0, 1, 2}, {3, 4, 5}}), (Pairs{{0, 1}}));
+  EXPECT_EQ(self_intersections(p, {{5, 4, 3}, {1, 0, 2}}), (Pairs{{0, 1}}));
+}
+
+TEST(SelfIntersection, TouchingIsNoCrossing) {
+  // A corner on the inside, an edge on the inside, one plane.
+  const std::vector<Vec3> p{{0, 0, 0},     {1, 0, 0},     {0, 1, 0},     {0.2, 0.2, 0},
+                            {0.2, 0.2, 1}, {1, 1, 1},     {0.1, 0.1, 0}, {0.6, 0.1, 0},
+                            {0.3, 0.1, 1}, {0.1, 0.2, 0}, {2, 2, 0},     {0.4, -1, 0}};
+  EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {3, 4, 5}}).empty());
+  EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {6, 7, 8}}).empty());
+  EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {9, 10, 11}}).empty());
+}
+
+TEST(SelfIntersection, TrianglesThatShareACornerCrossWhereTheOppositeEdgeGoesThrough) {
+  const std::vector<Vec3> p{{0, 0, 0},     {2, 0, 0}, {0, 2, 0},  {0.5, 0.5, -1},
+                            {0.5, 0.5, 1}, {0, 0, 0}, {-1, 0, 1}, {-1, 0, -1}};
+  EXPECT_EQ(self_intersections(p, {{0, 1, 2}, {0, 3, 4}}).size(), 1u) << "by index";
+  EXPECT_EQ(self_intersections(p, {{0, 1, 2}, {5, 3, 4}}).size(), 1u) << "by place";
+  EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {0, 6, 7}}).empty());
+}
+
+TEST(SelfIntersection, ASoundSurfaceHasNone) {
+  const TriangleMesh torus = test::torus(40);
+  EXPECT_TRUE(self_intersections(torus.positions(), torus.triangles()).empty());
+  TriangleMesh cut = test::plate(20, 0.3);
+  test::cut_at_random(cut, 500, 2, 4);
+  EXPECT_TRUE(self_intersections(cut.positions(), cut.triangles()).empty())
+      << "the two sides of a shut crack";
+}
+
+TEST(SelfIntersection, ATreeFindsWhatComparingAllPairsFinds) {
+  Random random(5);
+  std::vector<Vec3> p;
+  std::vector<Triangle> t;
+  for (std::int32_t f = 0; f < 120; ++f) {
+    const Vec3 at(random.uniform(), random.uniform(), random.uniform());
+    for (int i = 0; i < 3; ++i) {
+      p.push_back(at + 0.15 * Vec3(random.normal(), random.normal(), random.normal()));
+    }
+    t.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+  }
+  Pairs expected;
+  for (std::int32_t f = 0; f < 120; ++f) {
+    for (std::int32_t g = f + 1; g < 120; ++g) {
+      if (!self_intersections(p, {t[f], t[g]}).empty()) expected.push_back({f, g});
+    }
+  }
+  EXPECT_GT(expected.size(), 20u);
+  EXPECT_EQ(self_intersections(p, t), expected);
+  EXPECT_EQ(self_intersections(p, t, 7).size(), 7u);
+}
+
+}  // namespace
+}  // namespace craze
