@@ -17,8 +17,8 @@ namespace craze {
 
 /// The plane on which a node with healed cracks about it comes closest to failing.
 struct WeakPlane {
-  Eigenpair plane;         ///< n̂ and n̂ᵀ ς n̂
-  double strength = 1;     ///< the factor on strength and toughness across it
+  Eigenpair plane;      ///< n̂ and n̂ᵀ ς n̂
+  double strength = 1;  ///< the factor on strength and toughness across it
   /// The greatest n̂ᵀ ς n̂ / strength changes by at most sensitivity / strength times a change of ς.
   double sensitivity = 1;
 };
