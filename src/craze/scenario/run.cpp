@@ -7,7 +7,7 @@
 #include "craze/io/atomic_file.h"
 #include "craze/mesh/repair.h"
 #include "craze/model/screening.h"
-#include "craze/model/simulation.h"
+#include "craze/scenario/cycles.h"
 #include "craze/scenario/load_surface.h"
 #include "craze/scenario/outputs.h"
 #include "craze/scenario/simulation_input.h"
@@ -45,11 +45,6 @@ SurfaceMesh load_and_repair(const RunRequest& request, RunReport& report) {
   return surface;
 }
 
-StopReason crack(Simulation& simulation, const RunRequest& request, const Context& context) {
-  if (request.max_cracks == 0) return StopReason::max_cracks;
-  return simulation.run(context);
-}
-
 }  // namespace
 
 RunResult run(const RunRequest& request, const Context& context) {
@@ -70,24 +65,24 @@ RunResult run(const RunRequest& request, const Context& context) {
   const SurfaceMesh surface = simulation_surface(std::move(repaired), report.recipe, context);
   report.simulation = count_mesh(surface);
   const SimulationParameters& parameters = report.recipe.simulation;
-  TriangleMesh mesh(surface.positions, surface.triangles);
-  SimulationFields fields = simulation_fields(surface, mesh, parameters, context);
-  Simulation simulation(std::move(mesh), std::move(fields), parameters, context);
   report.time.prepare = phase.lap();
 
-  const StopReason reason = crack(simulation, request, context);
-  report.stop_reason = to_string(reason);
+  const LastCycle last = request.max_cracks == 0 ? before_first_crack(surface, parameters, context)
+                                                 : run_cycles(surface, parameters, context);
+  const Simulation& simulation = *last.simulation;
+  report.stop_reason = to_string(last.reason);
   report.load = simulation.load();
-  report.time.relax = simulation.times().relax;
-  report.time.separation = simulation.times().separation;
-  report.time.crack = simulation.times().crack;
+  report.time.prepare += last.prepare;
+  report.time.relax = last.times.relax;
+  report.time.separation = last.times.separation;
+  report.time.crack = last.times.crack;
   phase.lap();
 
   context.report({"write", -1, simulation.events(), simulation.mesh().face_count(), report.load});
   write_outputs(request, surface, simulation, report, context);
   report.time.write = phase.lap();
   report.time.total = total.lap();
-  RunResult result{report_to_json(report), reason == StopReason::cancelled};
+  RunResult result{report_to_json(report), last.reason == StopReason::cancelled};
   if (!request.report.empty() && request.report != "-") {
     write_file(request.report, result.report.dump(2) + "\n", "cannot write the report");
   }
