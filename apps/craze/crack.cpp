@@ -53,7 +53,7 @@ int crack(Options& options) {
   }
   int code = done;
   if (options.request.report == "-") code = print(result.report.dump(2) + "\n");
-  return result.cancelled ? interrupted : code;
+  return result.cancelled ? interrupt_code() : code;
 }
 
 void add_outputs(CLI::App& verb, RunRequest& request) {
@@ -119,7 +119,8 @@ void add_crack(CLI::App& app, Action& action) {
       "  craze crack cup.obj -o cracked.glb --preset glaze\n"
       "  craze crack shape:plate?n=99 -o mud.ply --preset mud --lines mud.svg --report mud.json\n"
       "  craze crack scan.ply -o scan_cracked.ply --set stress.attribute=paint --seed 7\n"
-      "Ctrl-C stops, writes what was asked for and exits with 130; a second one kills.");
+      "Ctrl-C stops, writes what was asked for and exits with 130 (SIGTERM: 143); a second one "
+      "kills.");
   verb->callback([options, &action] { action = [options] { return crack(*options); }; });
 }
 
