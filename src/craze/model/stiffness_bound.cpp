@@ -7,22 +7,30 @@ namespace craze {
 
 namespace {
 
-/// λ_e = A s². With G the 3×2 gradients, GᵀG and M ββᵀ, M = [2 1; 1 2], share their eigenvalues;
-/// N = √A ββᵀ.
-double element_bound(const TriangleMesh& mesh, const StressField& field, std::int32_t f) {
+/// m_i of a corner. G = A ∇λ_i·∇λ_j; of corners 1 and 2 it is √A N, and its rows sum to zero.
+double corner_bound(const TriangleMesh& mesh, const StressField& field, std::int32_t f,
+                    int corner) {
   const Element& e = field.elements()[f];
-  const double n11 = e.e1[3], n12 = e.e2[3], n22 = e.t[3];
-  const double half_trace = n11 + n12 + n22;
-  const double determinant = 3 * (n11 * n22 - n12 * n12);
-  const double root = std::sqrt(std::max(0.0, half_trace * half_trace - determinant));
-  return std::sqrt(mesh.area(f)) * (half_trace + root);
+  const double scale = std::sqrt(mesh.area(f));
+  const double g11 = scale * e.e1[3], g12 = scale * e.e2[3], g22 = scale * e.t[3];
+  const double g01 = -(g11 + g12), g02 = -(g12 + g22), g00 = -(g01 + g02);
+  const double rows[3] = {g00 + std::abs(g01) + std::abs(g02), std::abs(g01) + g11 + std::abs(g12),
+                          std::abs(g02) + std::abs(g12) + g22};
+  // G's eigenvalues are 0 and those of [2 1; 1 2] √A N.
+  const double half_trace = g11 + g12 + g22;
+  const double determinant = 3 * (g11 * g22 - g12 * g12);
+  const double eigenvalue =
+      half_trace + std::sqrt(std::max(0.0, half_trace * half_trace - determinant));
+  const bool thin = std::min({rows[0], rows[1], rows[2]}) < 0.5 * eigenvalue;
+  return thin ? rows[corner] : eigenvalue;
 }
 
 }  // namespace
 
 void StiffnessBound::update(const TriangleMesh& mesh, const StressField& field, std::int32_t v) {
   double sum = 0;
-  mesh.for_each_outgoing(v, [&](std::int32_t h) { sum += element_bound(mesh, field, h / 3); });
+  mesh.for_each_outgoing(v,
+                         [&](std::int32_t h) { sum += corner_bound(mesh, field, h / 3, h % 3); });
   bound_ = std::max(bound_, sum);
 }
 
