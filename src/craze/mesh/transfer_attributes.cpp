@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace craze {
 
@@ -39,21 +40,63 @@ TrianglePoint on_edge(const SurfaceMesh& surface, std::int32_t f, const Vec3& p,
   return {{a, b, 3 - a - b}, {1 - s, s, 0}};
 }
 
-std::vector<Vec2> transfer_uvs(const SurfaceMesh& surface, const TriangleMesh& cut,
+std::vector<std::vector<std::int32_t>> faces_around_vertices(const SurfaceMesh& surface) {
+  std::vector<std::vector<std::int32_t>> around(surface.positions.size());
+  for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
+    for (const std::int32_t v : surface.triangles[f]) {
+      around[v].push_back(static_cast<std::int32_t>(f));
+    }
+  }
+  return around;
+}
+
+/// The input triangle in which each corner of the cut mesh takes its attributes (3 #F): its face's
+/// source, but for a vertex that has slid the nearest one of those around its anchor.
+std::vector<std::int32_t> sources_of_corners(const SurfaceMesh& surface, const TriangleMesh& cut) {
+  std::vector<std::int32_t> home(cut.vertex_count(), -1);
+  std::vector<std::vector<std::int32_t>> around;  // #V of the surface, made when first wanted
+  for (std::int32_t v = 0; v < cut.vertex_count(); ++v) {
+    if (cut.anchor(v) < 0) continue;
+    if (around.empty()) around = faces_around_vertices(surface);
+    const Vec3& p = cut.position(v);
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::int32_t corner : surface.triangles[cut.anchor(v)]) {
+      for (const std::int32_t f : around[corner]) {
+        const TrianglePoint at = locate_in_triangle(surface, f, p);
+        const Vec3 found = interpolate(
+            at, [&](int c) -> Vec3 { return surface.positions[surface.triangles[f][c]]; });
+        const double distance = (found - p).squaredNorm();
+        // Of faces that are as near, the first: copies of the vertex must agree.
+        if (distance > least || (distance == least && f >= home[v])) continue;
+        least = distance;
+        home[v] = f;
+      }
+    }
+  }
+  std::vector<std::int32_t> sources(3 * static_cast<std::size_t>(cut.face_count()));
+  for (std::int32_t h = 0; h < 3 * cut.face_count(); ++h) {
+    const std::int32_t found = home[cut.from(h)];
+    sources[h] = found >= 0 ? found : cut.source_face(TriangleMesh::face_of(h));
+  }
+  return sources;
+}
+
+std::vector<Vec2> transfer_uvs(const SurfaceMesh& surface, const std::vector<std::int32_t>& sources,
                                const std::vector<TrianglePoint>& points) {
   std::vector<Vec2> uvs(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const std::size_t first = 3 * static_cast<std::size_t>(cut.source_face(k / 3));
+    const std::size_t first = 3 * static_cast<std::size_t>(sources[k]);
     uvs[k] = interpolate(points[k], [&](int c) -> Vec2 { return surface.corner_uvs[first + c]; });
   }
   return uvs;
 }
 
-std::vector<Vec3> transfer_normals(const SurfaceMesh& surface, const TriangleMesh& cut,
+std::vector<Vec3> transfer_normals(const SurfaceMesh& surface,
+                                   const std::vector<std::int32_t>& sources,
                                    const std::vector<TrianglePoint>& points) {
   std::vector<Vec3> normals(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const std::size_t first = 3 * static_cast<std::size_t>(cut.source_face(k / 3));
+    const std::size_t first = 3 * static_cast<std::size_t>(sources[k]);
     const auto value = [&](int c) -> Vec3 { return surface.corner_normals[first + c]; };
     normals[k] = interpolate(points[k], value);
     if (points[k].weights[0] == 1) continue;
@@ -116,14 +159,15 @@ SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& 
   SurfaceMesh result;
   result.positions = cut.positions();
   result.triangles = cut.triangles();
+  const std::vector<std::int32_t> sources = sources_of_corners(surface, cut);
   std::vector<TrianglePoint> points(3 * result.triangles.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto h = static_cast<std::int32_t>(k);
-    points[k] = locate_in_triangle(surface, cut.source_face(h / 3), cut.position(cut.from(h)));
+    points[k] = locate_in_triangle(surface, sources[k], cut.position(cut.from(h)));
   }
-  if (!surface.corner_uvs.empty()) result.corner_uvs = transfer_uvs(surface, cut, points);
+  if (!surface.corner_uvs.empty()) result.corner_uvs = transfer_uvs(surface, sources, points);
   if (!surface.corner_normals.empty()) {
-    result.corner_normals = transfer_normals(surface, cut, points);
+    result.corner_normals = transfer_normals(surface, sources, points);
   }
 
   const std::vector<std::int32_t> corner = corner_of_each_vertex(cut);
@@ -133,7 +177,7 @@ SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& 
       if (corner[v] < 0) {
         take(v, Triangle{cut.root(v), cut.root(v), cut.root(v)}, at_corner(0));
       } else {
-        take(v, surface.triangles[cut.source_face(corner[v] / 3)], points[corner[v]]);
+        take(v, surface.triangles[sources[corner[v]]], points[corner[v]]);
       }
     }
   };

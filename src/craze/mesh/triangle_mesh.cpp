@@ -27,6 +27,8 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> positions, std::vector<Triangle> tr
   first_halfedge_.assign(positions_.size(), -1);
   source_face_.resize(triangles_.size());
   root_.resize(positions_.size());
+  anchor_.assign(positions_.size(), -1);
+  pinned_.assign(positions_.size(), 0);
   std::iota(source_face_.begin(), source_face_.end(), 0);
   std::iota(root_.begin(), root_.end(), 0);
 
@@ -85,6 +87,9 @@ TriangleMesh::Split TriangleMesh::split_edge(std::int32_t h, double t) {
   const std::int32_t x = vertex_count();
   positions_.push_back((1 - t) * positions_[a] + t * positions_[b]);
   root_.push_back(x);
+  const bool slid = anchor_[a] >= 0 || anchor_[b] >= 0, pinned = is_pinned(a) && is_pinned(b);
+  anchor_.push_back(slid && !pinned ? source_face_[face_of(h)] : -1);
+  pinned_.push_back(pinned ? 1 : 0);
   first_halfedge_.push_back(-1);
 
   Split split{x, {face_of(h), -1}, {-1, -1}};
@@ -122,6 +127,12 @@ TriangleMesh::Split TriangleMesh::split_edge(std::int32_t h, double t) {
   return split;
 }
 
+void TriangleMesh::slide(std::int32_t h, double t) {
+  const std::int32_t v = from(h);
+  positions_[v] = (1 - t) * positions_[v] + t * positions_[to(h)];
+  anchor_[v] = source_face_[face_of(h)];
+}
+
 TriangleMesh::Cut TriangleMesh::cut(std::int32_t h, std::int32_t crack) {
   const std::int32_t o = opposite_[h], a = from(h), b = to(h);
   const bool a_open = is_open_vertex(a), b_open = is_open_vertex(b);
@@ -136,7 +147,9 @@ std::int32_t TriangleMesh::separate(std::int32_t v, std::int32_t fan_start, bool
   }
   const std::int32_t copy = vertex_count();
   positions_.push_back(Vec3(positions_[v]));
-  root_.push_back(root_[v]);
+  root_.push_back(std::int32_t{root_[v]});
+  anchor_.push_back(std::int32_t{anchor_[v]});
+  pinned_.push_back(char{pinned_[v]});
   first_halfedge_.push_back(fan_start);
   for (std::int32_t h = fan_start; h >= 0; h = rotate(h)) triangles_[h / 3][h % 3] = copy;
   return copy;

@@ -12,9 +12,9 @@ namespace craze {
 /// Halfedge h = 3 f + i runs from corner i of face f to corner i+1 (mod 3). A vertex has one fan of
 /// faces: the mesh is manifold, with or without border, at all times.
 ///
-/// Positions never move. Faces are only split, so each lies inside the input triangle it came from
-/// (source_face) and any attribute of the input can be looked up for it afterwards; vertices and
-/// faces are only appended, so an index stays valid for ever.
+/// Faces are only split and vertices hardly ever move (slide), so each face is known by the input
+/// triangle it came from (source_face) and any attribute of the input can be looked up for it
+/// afterwards; vertices and faces are only appended, so an index stays valid for ever.
 class TriangleMesh {
  public:
   /// opposite() of a halfedge on the border of the input.
@@ -87,6 +87,14 @@ class TriangleMesh {
   /// the same position.
   std::int32_t root(std::int32_t v) const { return root_[v]; }
 
+  /// The input triangle in which a vertex that has slid takes its attributes, the same for all its
+  /// faces; −1: in each face's own source_face.
+  std::int32_t anchor(std::int32_t v) const { return anchor_[v]; }
+  /// Whether v must stay where it is, since it marks a fold or seam. Splitting an edge between two
+  /// pinned vertices makes a pinned one.
+  bool is_pinned(std::int32_t v) const { return pinned_[v] != 0; }
+  void pin(std::int32_t v) { pinned_[v] = 1; }
+
   double area(std::int32_t f) const;
   double total_area() const;
 
@@ -99,6 +107,11 @@ class TriangleMesh {
   /// vertex, at the same position. An end in the middle of the surface stays one vertex, a tip.
   Cut cut(std::int32_t h, std::int32_t crack);
 
+  /// Moves the origin of the interior halfedge h to (1−t) from(h) + t to(h), which lies on h's
+  /// face. It must be neither open nor pinned. The caller sees to it that no face of its star turns
+  /// over.
+  void slide(std::int32_t h, double t);
+
  private:
   std::int32_t separate(std::int32_t v, std::int32_t fan_start, bool was_open);
 
@@ -108,6 +121,8 @@ class TriangleMesh {
   std::vector<std::int32_t> first_halfedge_;  // #V
   std::vector<std::int32_t> source_face_;     // #F
   std::vector<std::int32_t> root_;            // #V
+  std::vector<std::int32_t> anchor_;          // #V
+  std::vector<char> pinned_;                  // #V
 };
 
 }  // namespace craze

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "craze/model/vertex_slide.h"
+
 namespace craze {
 
 namespace {
@@ -11,11 +13,21 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// A way for the crack to leave the node: across a face or along an edge.
+// Where a near vertex cannot slide, a crack closer to its edge than this follows the edge, radians.
+constexpr double least_split_angle = 5 * std::numbers::pi / 180;
+
+/// A way for the crack to leave the node.
 struct Ray {
+  enum Way {
+    across,     // a face, splitting the edge opposite to the node
+    along,      // an edge
+    to_vertex,  // across a face, to a vertex of it that is to slide there
+  };
   std::int32_t halfedge;  // outgoing; of the face crossed, or the edge followed
-  bool along_edge;
-  double angle;  // around the star from its first halfedge, radians
+  Way way;
+  double angle;        // around the star from its first halfedge, radians
+  double off_edge;     // angle to the nearer edge of the face crossed, radians
+  bool near_halfedge;  // which is that of `halfedge`, not the other one
 };
 
 /// Where along the edge opposite to the node in h's face the plane passes; negative if it does not.
@@ -38,6 +50,7 @@ class Insertion {
  private:
   bool too_close_to_open_edge(std::int32_t v, const Vec3& direction) const;
   std::int32_t split(std::int32_t h, double t);
+  bool slide(std::int32_t h, double t);
   void cut(std::int32_t h, std::int32_t label);
   void note_star(std::int32_t v) { outcome_.changed_nodes.push_back(v); }
 
@@ -71,23 +84,26 @@ std::vector<Ray> Insertion::admissible_rays(std::int32_t v, const Vec3& normal) 
     if (t >= 0) {
       const Vec3 direction = (1 - t) * b + t * c;
       const double to_b = angle_between(direction, b), to_c = angle_between(direction, c);
-      Ray ray{h, false, around + to_b};
       const bool near_b = to_b <= to_c;
+      Ray ray{h, Ray::across, around + to_b, std::min(to_b, to_c), near_b};
       const bool open = near_b ? mesh_.is_open(h) : mesh_.is_open(across);
       // An end so close to a corner that the split would have no area follows the edge as well.
       const bool at_corner = t < 1e-9 || t > 1 - 1e-9;
       bool drop = too_close_to_open_edge(v, direction);
-      if (std::min(to_b, to_c) < rules_.snap_angle || at_corner) {
+      if (ray.off_edge < rules_.snap_angle || at_corner) {
         if (open) {
           drop = drop || at_corner;
+        } else if (rules_.near_vertex == NearVertex::slide && !at_corner &&
+                   !mesh_.is_open_vertex(near_b ? mesh_.to(h) : mesh_.from(across))) {
+          ray.way = Ray::to_vertex;
         } else {
-          ray.along_edge = true;
+          ray.way = Ray::along;
           ray.halfedge = near_b ? h : mesh_.opposite(across);
           ray.angle = near_b ? around : around + face_angle;
         }
       }
       const auto same = [&](const Ray& r) {
-        return r.along_edge && ray.along_edge && r.halfedge == ray.halfedge;
+        return r.way == Ray::along && ray.way == Ray::along && r.halfedge == ray.halfedge;
       };
       if (!drop && std::none_of(rays.begin(), rays.end(), same)) rays.push_back(ray);
     }
@@ -126,6 +142,14 @@ std::int32_t Insertion::split(std::int32_t h, double t) {
   return split.vertex;
 }
 
+bool Insertion::slide(std::int32_t h, double t) {
+  if (!slide_vertex(mesh_, field_, h, t)) return false;
+  mesh_.for_each_outgoing(mesh_.from(h), [&](std::int32_t spoke) {
+    for (const std::int32_t v : mesh_.triangle(TriangleMesh::face_of(spoke))) note_star(v);
+  });
+  return true;
+}
+
 void Insertion::cut(std::int32_t h, std::int32_t label) {
   const std::int32_t o = mesh_.opposite(h), from = mesh_.from(h), to = mesh_.to(h);
   outcome_.segments.push_back({mesh_.root(from), mesh_.root(to), mesh_.source_face(h / 3)});
@@ -147,13 +171,22 @@ void Insertion::cut(std::int32_t h, std::int32_t label) {
 
 void Insertion::insert(const Ray& ray, const Vec3& normal, std::int32_t label) {
   std::int32_t h = ray.halfedge;
-  if (!ray.along_edge) {
+  if (ray.way != Ray::along) {
     // An earlier segment of this event may have halved the face: look again.
     const double t = crossing(mesh_, h, normal);
     if (!(t > 0 && t < 1)) return;
-    split(TriangleMesh::next(h), t);
-    // The face now ends at the new vertex, so its far edge at v is the segment.
-    h = mesh_.opposite(TriangleMesh::prev(h));
+    const std::int32_t opposite = TriangleMesh::next(h);
+    const bool reached =
+        ray.way == Ray::to_vertex && (slide(ray.near_halfedge ? opposite : mesh_.opposite(opposite),
+                                            ray.near_halfedge ? t : 1 - t) ||
+                                      ray.off_edge < least_split_angle);
+    if (reached) {
+      if (!ray.near_halfedge) h = mesh_.opposite(TriangleMesh::prev(h));
+    } else {
+      split(opposite, t);
+      // The face now ends at the new vertex, so its far edge at v is the segment.
+      h = mesh_.opposite(TriangleMesh::prev(h));
+    }
   }
   if (h >= 0 && !mesh_.is_open(h)) cut(h, label);
 }

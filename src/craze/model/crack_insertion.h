@@ -6,13 +6,15 @@
 
 #include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/model/parameters.h"
 #include "craze/model/stress_field.h"
 
 namespace craze {
 
 struct CrackRules {
-  double snap_angle;  ///< θ₁, radians: a crack this close to an edge runs along the edge instead
+  double snap_angle;  ///< θ₁, radians
   double back_angle;  ///< θ₂, radians: a crack this close to an open edge at its node is not made
+  NearVertex near_vertex = NearVertex::snap;
 };
 
 /// One new crack edge, from the failing node to the far end.
@@ -34,7 +36,8 @@ struct CrackOutcome {
 
 /// Opens the plane through node v with normal n̂ in v's star: on each side that the plane meets, one
 /// segment from v to the opposite edge. The opposite edge is split there, with both its faces, or
-/// the segment snaps to an edge within θ₁, or is dropped within θ₂ of an open edge at v. On a bent
+/// within θ₁ of an edge the segment follows that edge, the edge's far vertex having slid onto the
+/// plane where the rules say so and it can; within θ₂ of an open edge at v it is dropped. On a bent
 /// star that the plane meets more than twice, the two sides that halve the star best are taken.
 /// New crack edges are labelled first_label, first_label + 1, …; `field` is kept in step. Without
 /// any admissible segment nothing is touched and the outcome is empty.

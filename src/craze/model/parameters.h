@@ -14,6 +14,11 @@ namespace craze {
 enum class Engine { euler, quasistatic };
 enum class Criterion { force, strength };
 enum class CurvatureScale { none, gaussian, mean, frobenius, sum_of_squares };
+/// What becomes of a crack within θ₁ of an edge that ends at an intact vertex.
+enum class NearVertex {
+  snap,   ///< the crack bends to the edge: the paper
+  slide,  ///< the vertex moves onto the crack (vertex_slide.h), so that cracks do not see the mesh
+};
 enum class BoundaryKind { free, fixed };
 
 /// [stress]: the initial field σ₀, the sum of what is given.
@@ -87,6 +92,7 @@ struct BoundaryParameters {
 struct CrackParameters {
   double snap_angle = 25;  ///< θ₁, degrees
   double back_angle = 15;  ///< θ₂, degrees
+  NearVertex near_vertex = NearVertex::snap;
 };
 
 /// Everything the simulation needs to know besides the mesh.

@@ -69,6 +69,12 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
   check_size(fields_.adhesion_scale.size(), faces, "adhesion scale");
   check_size(fields_.preferred.size(), faces, "preferred directions");
   check_size(fields_.fixed.size(), static_cast<std::size_t>(mesh_.vertex_count()), "fixed");
+  check_size(fields_.pinned.size(), static_cast<std::size_t>(mesh_.vertex_count()), "pinned");
+  for (const std::vector<char>* marks : {&fields_.fixed, &fields_.pinned}) {
+    for (std::size_t v = 0; v < marks->size(); ++v) {
+      if ((*marks)[v]) mesh_.pin(static_cast<std::int32_t>(v));
+    }
+  }
 
   // 1. Initialize the stress field according to heuristics and optionally evolve it.
   double tension = 0, area = 0;
@@ -168,7 +174,8 @@ void Simulation::crack_mesh() {
 
 bool Simulation::crack_at(std::int32_t v) {
   const CrackRules rules{parameters_.crack.snap_angle * std::numbers::pi / 180,
-                         parameters_.crack.back_angle * std::numbers::pi / 180};
+                         parameters_.crack.back_angle * std::numbers::pi / 180,
+                         parameters_.crack.near_vertex};
   const Failure failure = watch_.failure(v);
   open_crack(mesh_, field_, v, failure.normal, rules, static_cast<std::int32_t>(segments()),
              outcome_);

@@ -19,6 +19,7 @@ struct SimulationFields {
   std::vector<double> adhesion_scale;    ///< factor on κ, ≥ 0
   std::vector<PreferredDirection> preferred;  ///< which way cracks like to run (Fig. 2)
   std::vector<char> fixed;                    ///< per vertex: 1 where the surface is held
+  std::vector<char> pinned;  ///< per vertex: 1 where it must not slide (NearVertex::slide)
 };
 
 /// The mean of a factor per source face over the star of v; 1 where none is given.

@@ -31,6 +31,11 @@ Sym3 stress_of(const Element& e, double area) {
   return sigma;
 }
 
+/// What displacements of the corners make of an element's stress.
+ElementResponse response_to(const Element& e, const std::vector<Vec4d>& u, const Triangle& t) {
+  return element_response(e, u[t[1]].v - u[t[0]].v, u[t[2]].v - u[t[0]].v);
+}
+
 }  // namespace
 
 StressField::StressField(const TriangleMesh& mesh, double cap)
@@ -145,6 +150,39 @@ void StressField::follow(const TriangleMesh& mesh, const TriangleMesh::Split& sp
       }
     }
   }
+}
+
+std::vector<Sym3> StressField::unstrained_stress(const TriangleMesh& mesh, std::int32_t v) const {
+  std::vector<Sym3> stress;
+  mesh.for_each_outgoing(v, [&](std::int32_t h) {
+    const std::int32_t f = TriangleMesh::face_of(h);
+    Element e = elements_[f];
+    const ElementResponse strained = response_to(e, displacements_, mesh.triangle(f));
+    e.t[0] -= strained.t11;
+    e.t[1] -= strained.t22;
+    e.t[2] -= strained.t12;
+    stress.push_back(stress_of(e, mesh.area(f)));
+  });
+  return stress;
+}
+
+void StressField::follow_slide(const TriangleMesh& mesh, std::int32_t v, std::int32_t toward,
+                               double t, const std::vector<Sym3>& unstrained) {
+  displacements_[v].v = (1 - t) * displacements_[v].v + t * displacements_[toward].v;
+  normals_[v] = ((1 - t) * normals_[v] + t * normals_[toward]).normalized();
+  std::size_t i = 0;
+  mesh.for_each_outgoing(v, [&](std::int32_t h) {
+    const std::int32_t f = TriangleMesh::face_of(h);
+    elements_[f] = make_element(mesh, f);
+    add_stress(mesh, f, unstrained[i++]);
+    response_to(elements_[f], displacements_, mesh.triangle(f)).add_stress_to(elements_[f]);
+  });
+  const auto update = [&](std::int32_t n) {
+    update_force(mesh, n);
+    update_node_area(mesh, n);
+  };
+  update(v);
+  mesh.for_each_outgoing(v, [&](std::int32_t h) { update(mesh.to(h)); });
 }
 
 void StressField::follow(const TriangleMesh& mesh, std::int32_t vertex, std::int32_t copy) {

@@ -77,6 +77,15 @@ class StressField {
   /// Follows TriangleMesh::cut for one end: the copy (or −1) inherits u; both get their own F.
   void follow(const TriangleMesh& mesh, std::int32_t vertex, std::int32_t copy);
 
+  /// Per face of v's star, in the order of for_each_outgoing: σ less what the displacements of its
+  /// corners made of it (Eqs. 6, 7), world axes.
+  std::vector<Sym3> unstrained_stress(const TriangleMesh& mesh, std::int32_t v) const;
+  /// Follows TriangleMesh::slide of v by t of the way to `toward`: v takes u from between the two
+  /// and the faces of its star have the unstrained stress given, from before the slide, and what
+  /// the displacements now make of it.
+  void follow_slide(const TriangleMesh& mesh, std::int32_t v, std::int32_t toward, double t,
+                    const std::vector<Sym3>& unstrained);
+
   double singular_value_cap() const { return cap_; }
 
  private:

@@ -201,7 +201,11 @@ std::vector<Parameter> make_table() {
            {.help = "a crack closer than this to an older crack at its node is dropped",
             .symbol = "θ₂",
             .unit = "degrees",
-            .source = "[IO06 Fig. 5]"});
+            .source = "[IO06 Fig. 5]"})
+      .add("near_vertex", &CrackParameters::near_vertex, any,
+           {.help = "within snap_angle of an edge: \"snap\" bends the crack to the edge, \"slide\" "
+                    "moves the edge's end onto the crack, so that cracks do not see the mesh",
+            .choices = {"snap", "slide"}});
 
   Section(
       t, "post.", [](auto& r, std::size_t) -> auto& { return r.post; })

@@ -5,6 +5,7 @@
 
 #include "craze/base/random.h"
 #include "craze/io/read_image.h"
+#include "craze/mesh/feature_lines.h"
 #include "craze/mesh/remesh.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/correlated_noise.h"
@@ -21,6 +22,8 @@ namespace {
 // Names the random numbers of the strength's scatter, apart from those of the stress.
 constexpr std::uint64_t scatter_stream = 0x5ca77e4;
 constexpr double held_above = 0.5;
+// Degrees between the normals of two faces at a fold.
+constexpr double fold_angle = 40;
 // Of the screening length: fine enough to resolve how a crack unloads its surroundings.
 constexpr double edge_per_screening_length = 0.25;
 
@@ -111,6 +114,18 @@ std::vector<char> held_vertices(const TriangleMesh& mesh, const BoundaryParamete
   return held;
 }
 
+/// The vertices of folds and seams.
+std::vector<char> pinned_vertices(const SurfaceMesh& surface, const TriangleMesh& mesh,
+                                  const CrackParameters& crack) {
+  if (crack.near_vertex != NearVertex::slide) return {};
+  const std::vector<char> marks = feature_lines(surface, mesh, fold_angle);
+  std::vector<char> pinned(static_cast<std::size_t>(mesh.vertex_count()), 0);
+  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+    if (marks[h] != no_feature) pinned[mesh.from(h)] = pinned[mesh.to(h)] = 1;
+  }
+  return pinned;
+}
+
 double mean_edge(const SurfaceMesh& mesh) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles) {
@@ -158,6 +173,7 @@ SimulationFields simulation_fields(const SurfaceMesh& surface, const TriangleMes
   fields.adhesion_scale = adhesion_scale(mesh, p, input);
   fields.preferred = preferred_per_face(mesh, p, context);
   fields.fixed = held_vertices(mesh, p.boundary, input);
+  fields.pinned = pinned_vertices(surface, mesh, p.crack);
   return fields;
 }
 
