@@ -8,6 +8,7 @@
 
 #include "craze/base/symmetric_eigen.h"
 #include "craze/model/basis_matrix.h"
+#include "craze/model/crack_insertion.h"
 #include "craze/model/separation_tensor.h"
 #include "model/states.h"
 
@@ -218,6 +219,31 @@ TEST(EulerRelaxation, ARunOfManyStepsIsAsManyRunsOfOneToSinglePrecision) {
       apart = std::max(apart, (at_once.displacement(v) - one_by_one.displacement(v)).norm());
     }
     EXPECT_LT(apart, 1e-6 * moved) << "adhesion " << adhesion;
+  }
+}
+
+TEST(EulerRelaxation, KeepsUpWithWhatCracksMakeOfTheMesh) {
+  TriangleMesh mesh = mesh_of("plate?n=20&jitter=0.3");
+  StressField field = field_of(mesh, random_stress(mesh, 13), singular_value_cap(mesh));
+  EulerRelaxation at_once(mesh, field, {0.05, 0, 0}), one_by_one(mesh, field, {0.05, 0, 0});
+  Random random(5);
+  CrackOutcome outcome;
+  for (int i = 0; i < 60; ++i) {
+    const CrackRules rules{0.436, 0.262, i % 2 == 0 ? NearVertex::snap : NearVertex::slide};
+    const auto v = static_cast<std::int32_t>(random.below(mesh.vertex_count()));
+    open_crack(mesh, field, v, test::random_unit(random), rules, i, outcome);
+    at_once.mesh_changed(mesh, field, outcome.changed_faces, outcome.changed_nodes);
+    one_by_one.mesh_changed(mesh, field, outcome.changed_faces, outcome.changed_nodes);
+  }
+  StressField other = field;
+  at_once.run(field, mesh, 20, 1);
+  for (int step = 0; step < 20; ++step) one_by_one.run(other, mesh, 1, 1);
+  double moved = 0;
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    moved = std::max(moved, other.displacement(v).norm());
+  }
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    EXPECT_LT((field.displacement(v) - other.displacement(v)).norm(), 1e-6 * moved);
   }
 }
 

@@ -74,10 +74,12 @@ CRAZE_WIDE void add_force_changes(const ElementPack* packs, const Vec4f* moves, 
 }
 
 void ElementPacks::update(const TriangleMesh& mesh, const StressField& field,
-                          const std::vector<std::int32_t>& changed_faces) {
+                          const std::vector<std::int32_t>& changed_nodes) {
   packs_.resize((mesh.face_count() + ElementPack::size - 1) / ElementPack::size);
   for (; faces_ < mesh.face_count(); ++faces_) set(mesh, field, faces_);
-  for (const std::int32_t f : changed_faces) set(mesh, field, f);
+  for (const std::int32_t v : changed_nodes) {
+    mesh.for_each_outgoing(v, [&](std::int32_t h) { set(mesh, field, h / 3); });
+  }
 }
 
 void ElementPacks::set(const TriangleMesh& mesh, const StressField& field, std::int32_t f) {

@@ -24,9 +24,9 @@ struct ElementPack {
 /// All elements of a mesh in packs of consecutive faces, kept up as the mesh is cut.
 class ElementPacks {
  public:
-  /// Takes in faces appended since, and the faces listed, whose shape or corners changed.
+  /// Takes in faces appended since, and those around the nodes listed, whose star changed.
   void update(const TriangleMesh& mesh, const StressField& field,
-              const std::vector<std::int32_t>& changed_faces);
+              const std::vector<std::int32_t>& changed_nodes);
 
   const ElementPack* data() const { return packs_.data(); }
 

@@ -62,7 +62,7 @@ void EulerRelaxation::mesh_changed(const TriangleMesh& mesh, const StressField& 
                                    const std::vector<std::int32_t>& faces,
                                    const std::vector<std::int32_t>& nodes) {
   blocks_.update(mesh, faces);
-  steps_.update(mesh, field, faces);
+  steps_.update(mesh, field, nodes);
   stiffness_.update(mesh, field, nodes);
   active_.reset();
 }

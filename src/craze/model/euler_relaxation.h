@@ -36,8 +36,8 @@ class EulerRelaxation {
   /// Nodes that never move: the paper's fixed boundary. Vertices beyond the vector are free.
   std::vector<char> fixed;
 
-  /// Takes in faces and vertices appended since, the faces listed, whose shape or corners changed,
-  /// and the nodes listed, whose elements did.
+  /// Takes in faces and vertices appended since, the faces listed, whose corners changed, and the
+  /// nodes listed, whose star did.
   void mesh_changed(const TriangleMesh& mesh, const StressField& field,
                     const std::vector<std::int32_t>& faces, const std::vector<std::int32_t>& nodes);
 

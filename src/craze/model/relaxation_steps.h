@@ -25,10 +25,10 @@ struct RelaxationState {
 /// are. Good to about 10⁻⁶ of the forces at the start, for a few hundred steps.
 class RelaxationSteps {
  public:
-  /// Takes in faces appended since, and the faces listed, whose shape or corners changed.
+  /// Takes in faces appended since, and those around the nodes listed, whose star changed.
   void update(const TriangleMesh& mesh, const StressField& field,
-              const std::vector<std::int32_t>& faces) {
-    packs_.update(mesh, field, faces);
+              const std::vector<std::int32_t>& nodes) {
+    packs_.update(mesh, field, nodes);
   }
 
   /// `moves` (#V) becomes Σ weight · Δp of the steps, `moving` (per node block) where it is not 0.
