@@ -1,5 +1,7 @@
 #include "craze/model/element_packs.h"
 
+#include <numbers>
+
 namespace craze {
 
 namespace {
@@ -41,23 +43,29 @@ CRAZE_WIDE void add_force_changes(const ElementPack* packs, const Vec4f* moves, 
     gather(moves, corners[1], corners[0], d1);
     gather(moves, corners[2], corners[0], d2);
 
-    // [IO06 Eqs. 6, 7] ΔT = N q N
-    const Lanes x1 = pack.e1[0].v, y1 = pack.e1[1].v, z1 = pack.e1[2].v;
-    const Lanes x2 = pack.e2[0].v, y2 = pack.e2[1].v, z2 = pack.e2[2].v;
-    const Lanes q11 = x1 * d1[0] + y1 * d1[1] + z1 * d1[2];
-    const Lanes q22 = x2 * d2[0] + y2 * d2[1] + z2 * d2[2];
-    const Lanes q12 =
-        0.5F * (x1 * d2[0] + y1 * d2[1] + z1 * d2[2] + x2 * d1[0] + y2 * d1[1] + z2 * d1[2]);
-    const Lanes n11 = pack.n11.v, n12 = pack.n12.v, n22 = pack.n22.v;
-    const Lanes a11 = n11 * q11 + n12 * q12, a12 = n11 * q12 + n12 * q22;
-    const Lanes a21 = n12 * q11 + n22 * q12, a22 = n12 * q12 + n22 * q22;
-    const Lanes t11 = a11 * n11 + a12 * n12;
-    const Lanes t22 = a21 * n12 + a22 * n22;
-    const Lanes t12 = a11 * n12 + a12 * n22;
-
-    // [IO06 Eq. 1] −Δf of corners 1 and 2; corner 0 gets minus their sum.
-    const Lanes columns1[4] = {t11 * x1 + t12 * x2, t11 * y1 + t12 * y2, t11 * z1 + t12 * z2, {}};
-    const Lanes columns2[4] = {t12 * x1 + t22 * x2, t12 * y1 + t22 * y2, t12 * z1 + t22 * z2, {}};
+    // [IO06 Eqs. 6, 7, then Eq. 1] With D = Σ d_j ∇λ_jᵀ and P the projection into the plane,
+    // A Δσ ∇λ_i = A/2 (P D + Dᵀ P) ∇λ_i, −Δf of corners 1 and 2; corner 0 gets minus their sum.
+    Lanes g1[3], g2[3], n[3];
+    for (int k = 0; k < 3; ++k) {
+      g1[k] = pack.g1[k].v;
+      g2[k] = pack.g2[k].v;
+      n[k] = pack.normal[k].v;
+    }
+    const Lanes g11 = g1[0] * g1[0] + g1[1] * g1[1] + g1[2] * g1[2];
+    const Lanes g12 = g1[0] * g2[0] + g1[1] * g2[1] + g1[2] * g2[2];
+    const Lanes g22 = g2[0] * g2[0] + g2[1] * g2[1] + g2[2] * g2[2];
+    const Lanes d11 = d1[0] * g1[0] + d1[1] * g1[1] + d1[2] * g1[2];
+    const Lanes d12 = d1[0] * g2[0] + d1[1] * g2[1] + d1[2] * g2[2];
+    const Lanes d21 = d2[0] * g1[0] + d2[1] * g1[1] + d2[2] * g1[2];
+    const Lanes d22 = d2[0] * g2[0] + d2[1] * g2[1] + d2[2] * g2[2];
+    const Lanes up1 = d1[0] * n[0] + d1[1] * n[1] + d1[2] * n[2];
+    const Lanes up2 = d2[0] * n[0] + d2[1] * n[1] + d2[2] * n[2];
+    Lanes columns1[4] = {}, columns2[4] = {};
+    for (int k = 0; k < 3; ++k) {
+      const Lanes flat1 = d1[k] - up1 * n[k], flat2 = d2[k] - up2 * n[k];
+      columns1[k] = flat1 * g11 + flat2 * g12 + g1[k] * d11 + g2[k] * d21;
+      columns2[k] = flat1 * g12 + flat2 * g22 + g1[k] * d12 + g2[k] * d22;
+    }
     Lanes f1[4], f2[4];
     transpose(columns1, f1);
     transpose(columns2, f2);
@@ -86,14 +94,17 @@ void ElementPacks::set(const TriangleMesh& mesh, const StressField& field, std::
   ElementPack& pack = packs_[f / ElementPack::size];
   const int lane = f % ElementPack::size;
   const Element& element = field.elements()[f];
+  const Vec3 e1 = element.edge1(), e2 = element.edge2();
+  const double n11 = element.e1[3], n12 = element.e2[3], n22 = element.t[3];
+  const Vec3 g1 = (n11 * e1 + n12 * e2) / std::numbers::sqrt2;
+  const Vec3 g2 = (n12 * e1 + n22 * e2) / std::numbers::sqrt2;
+  const Vec3 normal = e1.cross(e2).normalized();
   for (int k = 0; k < 3; ++k) {
-    pack.e1[k][lane] = static_cast<float>(element.e1[k]);
-    pack.e2[k][lane] = static_cast<float>(element.e2[k]);
+    pack.g1[k][lane] = static_cast<float>(g1[k]);
+    pack.g2[k][lane] = static_cast<float>(g2[k]);
+    pack.normal[k][lane] = static_cast<float>(normal[k]);
     pack.corners[k][lane] = mesh.triangle(f)[k];
   }
-  pack.n11[lane] = static_cast<float>(element.e1[3]);
-  pack.n12[lane] = static_cast<float>(element.e2[3]);
-  pack.n22[lane] = static_cast<float>(element.t[3]);
 }
 
 }  // namespace craze

@@ -11,13 +11,13 @@
 
 namespace craze {
 
-/// Eight elements, 48 bytes each: e₁, e₂ and N of Element, and the corners. Lanes beyond the last
-/// face are zero and answer nothing.
+/// Eight elements, 48 bytes each: √(A/2) ∇λ of corners 1 and 2, the unit normal, and the corners.
+/// (By e and N of Element the forces on a thin element are small differences of large numbers.)
+/// Lanes beyond the last face are zero and answer nothing.
 struct ElementPack {
   static constexpr std::int32_t size = 8;
 
-  Vec8f e1[3], e2[3];
-  Vec8f n11, n12, n22;
+  Vec8f g1[3], g2[3], normal[3];
   std::int32_t corners[3][size] = {};
 };
 
