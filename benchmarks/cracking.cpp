@@ -95,5 +95,39 @@ void euler_run(benchmark::State& state) {
 BENCHMARK(euler_run)->ArgName("threads")->Arg(1)->Arg(0)->UseRealTime()->Unit(
     benchmark::kMillisecond);
 
+// A closed surface without adhesion until 60 nodes have failed: the paper's steps (0) against the
+// same flow in fewer (1), R steps to an event.
+void flow_run(benchmark::State& state) {
+  const TriangleMesh mesh = bench::mesh_of("sphere?n=32");
+  Random random(4);
+  SimulationFields fields;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const double c = 1 + 0.05 * random.normal();
+    fields.stress.push_back(to_world(Sym2::isotropic(c), tangent_frame(mesh, f)));
+  }
+  SimulationParameters parameters;
+  parameters.engine = state.range(0) == 0 ? Engine::euler : Engine::quasistatic;
+  parameters.material.toughness = 0.01;
+  parameters.evolution.relaxation_steps = state.range(1);
+  parameters.evolution.max_cracks = 60;
+  Context context;
+  context.threads = 1;
+  double length = 0;
+  for (auto _ : state) {
+    Simulation simulation(mesh, fields, parameters, context);
+    simulation.run(context);
+    length = 0;
+    const CrackNetwork network = simulation.network();
+    for (const CrackEdge& e : network.edges) {
+      length += (network.nodes[e.a].position - network.nodes[e.b].position).norm();
+    }
+  }
+  state.counters["crack_length"] = length;
+}
+BENCHMARK(flow_run)
+    ->ArgNames({"accelerated", "R"})
+    ->ArgsProduct({{0, 1}, {10, 50, 200, 1000}})
+    ->Unit(benchmark::kMillisecond);
+
 }  // namespace
 }  // namespace craze

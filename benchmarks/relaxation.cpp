@@ -11,11 +11,10 @@ namespace {
 void relaxation(benchmark::State& state) {
   const TriangleMesh mesh = bench::plate(state.range(0));
   StressField field = bench::noisy_field(mesh, 0.05);
-  const ElementBlocks blocks(mesh);
-  EulerRelaxation euler(mesh, {0.01, 1.0, 0});
+  EulerRelaxation euler(mesh, field, {0.01, 1.0, 0});
   constexpr std::int64_t steps = 10;
   for (auto _ : state) {
-    euler.run(field, mesh, blocks, steps, static_cast<int>(state.range(1)));
+    euler.run(field, mesh, steps, static_cast<int>(state.range(1)));
   }
   state.counters["triangle_updates"] =
       benchmark::Counter(static_cast<double>(state.iterations() * steps * mesh.face_count()),

@@ -8,7 +8,7 @@
 namespace craze::app {
 
 /// Exit codes of the command.
-constexpr int done = 0, failed = 1, wrong_usage = 2, interrupted = 130;
+constexpr int done = 0, failed = 1, wrong_usage = 2;
 
 /// What the chosen verb does; set while the command line is read, called after it.
 using Action = std::function<int()>;

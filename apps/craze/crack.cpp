@@ -60,7 +60,7 @@ int crack(Options& options) {
   }
   int code = done;
   if (options.request.report == "-") code = print(result.report.dump(2) + "\n");
-  return result.cancelled ? interrupted : code;
+  return result.cancelled ? interrupt_code() : code;
 }
 
 void add_outputs(CLI::App& verb, RunRequest& request) {
@@ -161,7 +161,8 @@ void add_crack(CLI::App& app, Action& action) {
       "--animate\n"
       "  craze crack shape:cup --video grow.mp4 --frame-count 96\n"
       "  craze crack vase.obj -o pieces.glb --fragments\n"
-      "Ctrl-C stops, writes what was asked for and exits with 130; a second one kills.");
+      "Ctrl-C stops, writes what was asked for and exits with 130 (SIGTERM: 143); a second one "
+      "kills.");
   verb->callback([options, &action] { action = [options] { return crack(*options); }; });
 }
 

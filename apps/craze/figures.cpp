@@ -43,7 +43,7 @@ int make_figures(const Options& options) {
       context.cancelled = was_interrupted;
       results.push_back(make_figure(*figure, options.request, context));
     }
-    if (results.back().cancelled) return interrupted;
+    if (results.back().cancelled) return interrupt_code();
   }
   const std::string page = figure_page(results);
   write_file(std::filesystem::path(options.request.folder) / "figures.md", page);

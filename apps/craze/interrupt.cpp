@@ -1,29 +1,36 @@
 #include "interrupt.h"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace craze::app {
 
 namespace {
 
 // A signal handler reaches nothing but what is global.
-volatile std::sig_atomic_t interrupt_count = 0;
+volatile std::sig_atomic_t caught = 0;
 
-void on_interrupt(int) {
-  interrupt_count = 1;
+void on_interrupt(int signal) {
+  caught = signal;
 }
 
 }  // namespace
 
 void catch_interrupt() {
-  struct sigaction action {};
-  action.sa_handler = on_interrupt;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  sigaction(SIGINT, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction action {};
+    action.sa_handler = on_interrupt;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    sigaction(signal, &action, nullptr);
+  }
 }
 
 bool was_interrupted() {
-  return interrupt_count != 0;
+  return caught != 0;
+}
+
+int interrupt_code() {
+  return 128 + caught;
 }
 
 }  // namespace craze::app

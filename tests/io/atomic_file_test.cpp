@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -51,6 +52,25 @@ TEST(AtomicFile, AFailureLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(message, "cannot write file (" + (folder / "a").string() + "): File too large");
   EXPECT_EQ(read_file(folder / "a"), "old");
   EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, AKilledWriterLeavesTheOldFileOrTheNewOneAndNothingElse) {
+  const std::string old(1000, 'o'), written(20'000'000, 'n');
+  for (int trial = 0; trial < 12; ++trial) {
+    const TemporaryFolder folder;
+    write_file(folder / "a", old);
+    const pid_t writer = ::fork();
+    if (writer == 0) {
+      write_file(folder / "a", written);
+      ::_exit(0);
+    }
+    ::usleep(200 * trial);
+    ::kill(writer, SIGKILL);
+    ::waitpid(writer, nullptr, 0);
+    const std::string got = read_file(folder / "a");
+    EXPECT_TRUE(got == old || got == written) << got.size() << " bytes";
+    EXPECT_EQ(folder.entries(), 1u);
+  }
 }
 
 TEST(AtomicFile, MissingFoldersAndFoldersAreNamedWithTheReason) {

@@ -61,7 +61,7 @@ TEST(Adhesion, ScreeningLengthAndSpacingSetKappa) {
   p.layer.relative_spacing = 0.1;
   p.evolution.max_load = 2;
   const double length = resolve_lengths(p, 30).layer.screening_length;
-  EXPECT_DOUBLE_EQ(length, 3 / spacing_per_screening_length(2));
+  EXPECT_DOUBLE_EQ(length, 3 / spacing_per_screening_length(p));
   p.layer.spacing = 6;  // what is given in length units goes first
   EXPECT_DOUBLE_EQ(resolve_lengths(p, 30).layer.screening_length, 2 * length);
   p.layer.screening_length = 0.25;

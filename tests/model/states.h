@@ -1,6 +1,7 @@
 // Meshes and stress states that several tests start from.
 #pragma once
 
+#include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
@@ -9,7 +10,6 @@
 #include "craze/mesh/shapes.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/model/element_blocks.h"
 #include "craze/model/euler_relaxation.h"
 #include "craze/model/stress_field.h"
 
@@ -67,10 +67,24 @@ inline double energy(const TriangleMesh& mesh, const StressField& field, double 
 
 inline void relax(const TriangleMesh& mesh, StressField& field,
                   const EulerRelaxationOptions& options, std::int64_t steps,
-                  const std::vector<char>& fixed = {}) {
-  EulerRelaxation relaxation(mesh, options);
+                  const std::vector<char>& fixed = {}, int threads = 1) {
+  EulerRelaxation relaxation(mesh, field, options);
   relaxation.fixed = fixed;
-  relaxation.run(field, mesh, ElementBlocks(mesh), steps, 1);
+  relaxation.run(field, mesh, steps, threads);
+}
+
+/// In double precision throughout: runs of one step each.
+inline void relax_one_by_one(const TriangleMesh& mesh, StressField& field,
+                             const EulerRelaxationOptions& options, std::int64_t steps) {
+  EulerRelaxation relaxation(mesh, field, options);
+  for (std::int64_t i = 0; i < steps; ++i) relaxation.run(field, mesh, 1, 1);
+}
+
+inline bool same_bytes(const StressField& a, const StressField& b) {
+  return std::memcmp(a.elements().data(), b.elements().data(),
+                     a.elements().size() * sizeof(Element)) == 0 &&
+         std::memcmp(a.displacements().data(), b.displacements().data(),
+                     a.displacements().size() * sizeof(Vec4d)) == 0;
 }
 
 inline double distance(const Sym3& a, const Sym3& b) {

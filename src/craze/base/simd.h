@@ -22,6 +22,15 @@ struct alignas(16) Vec4f {
   float& operator[](int i) { return reinterpret_cast<float*>(this)[i]; }
 };
 
+/// Eight floats handled as one, 32-byte aligned.
+struct alignas(32) Vec8f {
+  using Lanes = float __attribute__((vector_size(32)));
+  Lanes v = {0, 0, 0, 0, 0, 0, 0, 0};
+
+  float operator[](int i) const { return v[i]; }
+  float& operator[](int i) { return reinterpret_cast<float*>(this)[i]; }
+};
+
 // Compiles a function twice and picks the wider one at start-up. Without contraction
 // (-ffp-contract=off) both compute the same bits.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_THREAD__) && \

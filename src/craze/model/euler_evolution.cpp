@@ -16,36 +16,40 @@ constexpr double equilibrium_force = 1e-3;
 
 }  // namespace
 
-EulerEvolution::EulerEvolution(const TriangleMesh& mesh, const SimulationParameters& parameters,
+EulerEvolution::EulerEvolution(const TriangleMesh& mesh, const StressField& field,
+                               const SimulationParameters& parameters,
                                const EvolutionInputs& inputs)
     : parameters_(parameters.evolution),
       toughness_(parameters.material.toughness),
       initial_tension_(inputs.initial_tension),
       growth_(inputs.growth),
-      blocks_(mesh),
-      relaxation_(mesh, {parameters.evolution.time_step, adhesion(parameters.layer),
-                         rest_force * parameters.material.toughness}) {
+      relaxation_(
+          mesh, field,
+          {parameters.evolution.time_step, adhesion(parameters.layer),
+           rest_force * parameters.material.toughness, parameters.engine == Engine::quasistatic}) {
   relaxation_.fixed = inputs.fixed;
 }
 
-void EulerEvolution::mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) {
-  blocks_.update(mesh, outcome.changed_faces);
+void EulerEvolution::mesh_changed(const TriangleMesh&, const CrackOutcome& outcome) {
+  changed_faces_.insert(changed_faces_.end(), outcome.changed_faces.begin(),
+                        outcome.changed_faces.end());
+  changed_nodes_.insert(changed_nodes_.end(), outcome.changed_nodes.begin(),
+                        outcome.changed_nodes.end());
 }
 
 void EulerEvolution::evolve(StressField& field, const TriangleMesh& mesh, int threads,
                             std::vector<std::int32_t>& changed) {
-  relaxation_.run(field, mesh, blocks_, parameters_.relaxation_steps, threads);
+  relaxation_.mesh_changed(mesh, field, changed_faces_, changed_nodes_);
+  changed_faces_.clear();
+  changed_nodes_.clear();
+  relaxation_.run(field, mesh, parameters_.relaxation_steps, threads);
   time_ += parameters_.time_step * static_cast<double>(parameters_.relaxation_steps);
   if (grows()) {
     add_growth(field, mesh);
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) changed.push_back(v);
   } else {
-    const std::vector<char>& blocks = relaxation_.changed_blocks();
-    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-      if (blocks[v / ElementBlocks::nodes_per_block]) changed.push_back(v);
-    }
+    relaxation_.drifted(changed);
   }
-  relaxation_.clear_changed();
 }
 
 void EulerEvolution::add_growth(StressField& field, const TriangleMesh& mesh) {

@@ -1,7 +1,7 @@
-// engine = "euler": the paper's scheme to the letter.
+// The flow u' = F between two cracks: engine = "euler", the paper's scheme to the letter, and
+// "quasistatic" without adhesion, the same flow in fewer steps.
 #pragma once
 
-#include "craze/model/element_blocks.h"
 #include "craze/model/euler_relaxation.h"
 #include "craze/model/evolution.h"
 
@@ -10,14 +10,16 @@ namespace craze {
 /// 3b.i R Euler steps of relaxation; 3b.ii c I and the curvature tensor are added to every σ.
 class EulerEvolution : public Evolution {
  public:
-  EulerEvolution(const TriangleMesh& mesh, const SimulationParameters& parameters,
-                 const EvolutionInputs& inputs);
+  EulerEvolution(const TriangleMesh& mesh, const StressField& field,
+                 const SimulationParameters& parameters, const EvolutionInputs& inputs);
 
   std::vector<char>& fixed() override { return relaxation_.fixed; }
   void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) override;
   void evolve(StressField& field, const TriangleMesh& mesh, int threads,
               std::vector<std::int32_t>& changed) override;
-  double allow_drift(std::int32_t, double) override { return 0; }
+  double allow_drift(std::int32_t v, double force) override {
+    return relaxation_.allow_drift(v, force);
+  }
   bool advance(double needed) override;
   double load() const override { return 1; }
   double highest_load() const override { return 1; }
@@ -35,8 +37,8 @@ class EulerEvolution : public Evolution {
   double toughness_;
   double initial_tension_, added_tension_ = 0;
   const std::vector<Sym3>* growth_;
-  ElementBlocks blocks_;
   EulerRelaxation relaxation_;
+  std::vector<std::int32_t> changed_faces_, changed_nodes_;  // since evolve()
   double time_ = 0;
 };
 

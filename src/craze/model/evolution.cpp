@@ -11,11 +11,11 @@ Engine running_engine(const SimulationParameters& parameters) {
   return adhesion(parameters.layer) > 0 ? parameters.engine : Engine::euler;
 }
 
-std::unique_ptr<Evolution> make_evolution(const TriangleMesh& mesh,
+std::unique_ptr<Evolution> make_evolution(const TriangleMesh& mesh, const StressField& field,
                                           const SimulationParameters& parameters,
                                           const EvolutionInputs& inputs) {
   if (running_engine(parameters) == Engine::euler) {
-    return std::make_unique<EulerEvolution>(mesh, parameters, inputs);
+    return std::make_unique<EulerEvolution>(mesh, field, parameters, inputs);
   }
   return std::make_unique<QuasistaticEvolution>(mesh, parameters, inputs);
 }

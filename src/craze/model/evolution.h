@@ -60,13 +60,14 @@ struct EvolutionInputs {
   std::vector<char> fixed;
 };
 
-/// The engine that runs: the one named, but "euler" where "quasistatic" has no adhesion. Without it
-/// a free sheet's only equilibrium is zero stress; cracks come from the flow towards it, and that
-/// is what the paper's scheme follows.
+/// How the field evolves: as named, but as with "euler" where "quasistatic" has no adhesion.
+/// Without it a free sheet's only equilibrium is zero stress; cracks come from the flow towards it,
+/// which the paper's scheme follows. Where "quasistatic" is named the flow is the same, in fewer
+/// steps.
 Engine running_engine(const SimulationParameters& parameters);
 
 /// The engine of running_engine().
-std::unique_ptr<Evolution> make_evolution(const TriangleMesh& mesh,
+std::unique_ptr<Evolution> make_evolution(const TriangleMesh& mesh, const StressField& field,
                                           const SimulationParameters& parameters,
                                           const EvolutionInputs& inputs);
 

@@ -96,7 +96,7 @@ Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) c
     if (!(failure.measure * load > 1)) failure = {};
   }
   if (failure.measure == 0) failure = failure_of(scene, v, tensor, scale, exact);
-  failure.weight = weight;
+  failure.weight *= weight;
   const auto arrested = arrested_.find(v);
   if (arrested != arrested_.end() &&
       std::abs(arrested->second.dot(failure.normal)) > arrest_cosine) {
@@ -108,8 +108,16 @@ Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) c
 
 Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3& separation,
                                  double scale, bool exact) const {
-  const Eigenpair pair = largest_eigenpair(separation);
   Failure failure;
+  Eigenpair pair;
+  if (scene.fields.healed.empty()) {
+    pair = largest_eigenpair(separation);
+  } else {
+    const WeakPlane weak = scene.fields.healed.weakest_plane(scene.mesh.position(v), separation);
+    pair = weak.plane;
+    scale *= weak.strength;
+    failure.weight = weak.sensitivity;
+  }
   failure.normal = pair.vector;
   failure.threshold = criterion_.least_threshold(scene.mesh, v, pair.vector, scale);
   if (!(failure.threshold > 0)) return failure;

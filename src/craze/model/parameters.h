@@ -80,6 +80,9 @@ struct EvolutionParameters {
   double load_step = 0.02;      ///< relative; failures this close count as simultaneous
   double residual = 0.05;       ///< force left on a node over the force at which it fails
   std::int64_t max_cracks = 0;  ///< 0: no limit
+  std::int64_t cycles = 1;      ///< times the layer cracks; it heals in between
+  double healing = 0.3;         ///< strength across a healed crack over that around it
+  double scar_width = 0.3;      ///< of a healed crack's weakness, standard deviation over ℓ
 };
 
 /// [boundary]

@@ -87,7 +87,7 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
   }
   if (!fields_.adhesion_scale.empty()) field_.set_adhesion(mesh_, fields_.adhesion_scale);
   field_.update_forces(mesh_);
-  evolution_ = make_evolution(mesh_, parameters_,
+  evolution_ = make_evolution(mesh_, field_, parameters_,
                               {area > 0 ? tension / area : 0, &fields_.growth, fields_.fixed});
 
   // 2. Compute the failure criteria for each node and store them in a priority queue.

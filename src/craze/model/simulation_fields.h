@@ -6,6 +6,7 @@
 #include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/direction_bias.h"
+#include "craze/model/healed_cracks.h"
 
 namespace craze {
 
@@ -19,6 +20,7 @@ struct SimulationFields {
   std::vector<double> adhesion_scale;    ///< factor on κ, ≥ 0
   std::vector<PreferredDirection> preferred;  ///< which way cracks like to run (Fig. 2)
   std::vector<char> fixed;                    ///< per vertex: 1 where the surface is held
+  HealedCracks healed;                        ///< weaknesses left by an earlier cycle
   std::vector<char> pinned;  ///< per vertex: 1 where it must not slide (NearVertex::slide)
 };
 

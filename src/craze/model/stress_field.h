@@ -49,6 +49,8 @@ class StressField {
   }
   std::vector<Vec4d>& forces() { return forces_; }
   std::vector<Vec4d>& displacements() { return displacements_; }
+  const std::vector<Vec4d>& forces() const { return forces_; }
+  const std::vector<Vec4d>& displacements() const { return displacements_; }
   /// #V, A_n in the adhesion κ A_n u_n: a third of the area of the faces around each node, each
   /// times the factor of its source face given to set_adhesion.
   const std::vector<double>& node_areas() const { return node_areas_; }

@@ -12,6 +12,7 @@ constexpr ParameterRange any{};
 constexpr ParameterRange not_negative{0};
 constexpr ParameterRange positive{0, any.high, true};
 constexpr ParameterRange share{0, 1};
+constexpr ParameterRange positive_share{0, 1, true};
 constexpr ParameterRange angle{0, 90};
 constexpr ParameterRange count{0, 9007199254740992.0};  // 2^53: whole in a double, and in JSON
 constexpr ParameterRange from_one{1, count.high};
@@ -180,7 +181,17 @@ std::vector<Parameter> make_table() {
           {.help = "largest force left on a node when the next crack is looked for, over the force "
                    "at which nodes fail (quasistatic)"})
       .add("max_cracks", &EvolutionParameters::max_cracks, count,
-           {.help = "crack events to stop after; 0: no limit"});
+           {.help = "crack events to stop after; 0: no limit"})
+      .add("cycles", &EvolutionParameters::cycles, from_one,
+           {.help = "times the layer cracks; in between it heals, and the last cycle is the result",
+            .source = "Goehring et al. 2010"})
+      .add("healing", &EvolutionParameters::healing, positive_share,
+           {.help =
+                "strength across a healed crack, over that of the layer around it; 1: nothing is "
+                "remembered"})
+      .add("scar_width", &EvolutionParameters::scar_width, positive,
+           {.help = "half width of the weak strip that a healed crack leaves, over the screening "
+                    "length"});
 
   Section(
       t, "boundary.", [](auto& r, std::size_t) -> auto& { return r.simulation.boundary; })

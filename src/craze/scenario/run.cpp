@@ -8,7 +8,7 @@
 #include "craze/io/atomic_file.h"
 #include "craze/mesh/repair.h"
 #include "craze/model/screening.h"
-#include "craze/model/simulation.h"
+#include "craze/scenario/cycles.h"
 #include "craze/scenario/load_surface.h"
 #include "craze/scenario/outputs.h"
 #include "craze/scenario/simulation_input.h"
@@ -46,23 +46,6 @@ SurfaceMesh load_and_repair(const RunRequest& request, RunReport& report) {
   return surface;
 }
 
-/// A run that is in equilibrium from the start is not wrong, but seldom what was wanted.
-void warn_of_no_stress(const SimulationFields& fields, const SimulationParameters& parameters,
-                       RunReport& report) {
-  const bool none = std::all_of(fields.stress.begin(), fields.stress.end(),
-                                [](const Sym3& sigma) { return sigma.matrix().isZero(0); });
-  const bool grows = parameters.evolution.shrinkage > 0 || !fields.growth.empty();
-  if (!none || grows) return;
-  report.warnings.push_back(
-      "nothing can crack (stress): it is zero everywhere; give stress.uniform, an impact or a "
-      "painted stress that is not");
-}
-
-StopReason crack(Simulation& simulation, const RunRequest& request, const Context& context) {
-  if (request.max_cracks == 0) return StopReason::max_cracks;
-  return simulation.run(context);
-}
-
 }  // namespace
 
 RunResult run(const RunRequest& request, const Context& context) {
@@ -85,25 +68,30 @@ RunResult run(const RunRequest& request, const Context& context) {
   const SurfaceMesh& surface = prepared.mesh;
   report.simulation = count_mesh(surface);
   const SimulationParameters& parameters = report.recipe.simulation;
-  TriangleMesh mesh(surface.positions, surface.triangles);
-  SimulationFields fields = simulation_fields(prepared, mesh, parameters, context);
-  warn_of_no_stress(fields, parameters, report);
-  Simulation simulation(std::move(mesh), std::move(fields), parameters, context);
   report.time.prepare = phase.lap();
 
-  const StopReason reason = crack(simulation, request, context);
-  report.stop_reason = to_string(reason);
+  const LastCycle last = request.max_cracks == 0 ? before_first_crack(prepared, parameters, context)
+                                                 : run_cycles(prepared, parameters, context);
+  const Simulation& simulation = *last.simulation;
+  report.stop_reason = to_string(last.reason);
+  if (last.unstressed) {
+    // In equilibrium from the start: not wrong, but seldom what was wanted.
+    report.warnings.push_back(
+        "nothing can crack (stress): it is zero everywhere; give stress.uniform, an impact or a "
+        "painted stress that is not");
+  }
   report.load = simulation.load();
-  report.time.relax = simulation.times().relax;
-  report.time.separation = simulation.times().separation;
-  report.time.crack = simulation.times().crack;
+  report.time.prepare += last.prepare;
+  report.time.relax = last.times.relax;
+  report.time.separation = last.times.separation;
+  report.time.crack = last.times.crack;
   phase.lap();
 
   context.report({"write", -1, simulation.events(), simulation.mesh().face_count(), report.load});
   write_outputs(request, surface, simulation, report, context);
   report.time.write = phase.lap();
   report.time.total = total.lap();
-  RunResult result{report_to_json(report), reason == StopReason::cancelled};
+  RunResult result{report_to_json(report), last.reason == StopReason::cancelled};
   if (!request.report.empty() && request.report != "-") {
     write_file(request.report, result.report.dump(2) + "\n", "cannot write the report");
   }
