@@ -96,7 +96,7 @@ struct CrackParameters {
   double snap_angle = 25;  ///< θ₁, degrees
   double back_angle = 15;  ///< θ₂, degrees
   NearVertex near_vertex = NearVertex::snap;
-  double stride = 0.25;  ///< how far a failing node's crack runs at once, screening lengths
+  double stride = 0;  ///< how far a failing node's crack runs at once, screening lengths
 };
 
 /// Everything the simulation needs to know besides the mesh.
