@@ -10,7 +10,7 @@ namespace craze {
 namespace {
 
 // A piece is felt up to this many deviations from it.
-constexpr double reach = 4;
+constexpr double reach = 6.5;
 
 }  // namespace
 
