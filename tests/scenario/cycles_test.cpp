@@ -28,7 +28,13 @@ double t_fraction(const LastCycle& last) {
 }
 
 TEST(Cycles, TurnJunctionsAwayFromT) {
-  // A plate has some thirty junctions: the mean of four.
+  const double first = t_fraction(run_cycles(plate(), mud(1), {}));
+  const double fifth = t_fraction(run_cycles(plate(), mud(5), {}));
+  EXPECT_GT(first, 0.8);
+  EXPECT_LT(fifth, first - 0.15);
+}
+
+TEST(Cycles, TurnJunctionsAwayFromTOnTheMeanOfFourPlates) {
   double first = 0, fifth = 0;
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     SimulationParameters once = mud(1), often = mud(5);
