@@ -129,6 +129,47 @@ TEST_F(Crack, BeforeTheFirstCrackTheFieldsAreThoseOfTheRecipe) {
   }
 }
 
+TEST_F(Crack, TheFieldsAreThoseAtTheLoadOfTheReport) {
+  const CommandResult result = run({"crack",        "shape:plate?n=40&jitter=0.3",
+                                    "--fields",     "f.ply",
+                                    "-o",           "a.ply",
+                                    "--report",     "-",
+                                    "--max-cracks", "1",
+                                    "--set",        "stress.noise=0",
+                                    "--set",        "stress.uniform=2",
+                                    "--set",        "mesh.edge=keep",
+                                    "--set",        "layer.screening_length=0.04",
+                                    "--set",        "material.criterion=strength",
+                                    "--set",        "material.strength=3"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const double load = nlohmann::json::parse(result.out)["load"];
+  EXPECT_GT(load, 1.3);
+  const SurfaceMesh fields = read_mesh(file("f.ply")), mesh = read_mesh(file("a.ply"));
+  const Attribute* distance = find_attribute(mesh.vertex_attributes, "crack_distance");
+  const Attribute* stress = find_attribute(fields.face_attributes, "s_xx");
+  ASSERT_TRUE(distance && stress);
+  int far = 0;
+  for (std::size_t f = 0; f < fields.triangles.size(); ++f) {
+    double border = 1, crack = 1;
+    for (const std::int32_t v : fields.triangles[f]) {
+      const Vec3& p = fields.positions[v];
+      border = std::min(border, 0.5 - std::max(std::abs(p.x()), std::abs(p.y())));
+      crack = std::min(crack, distance->values[v]);
+    }
+    if (std::min(border, crack) < 0.25) continue;
+    EXPECT_NEAR(stress->values[f] / (2 * load), 1, 0.01) << "far from all that unloads it";
+    ++far;
+  }
+  EXPECT_GT(far, 20);
+  // And the gap's displacement is that of the fields.
+  const Attribute* displacement = find_attribute(mesh.vertex_attributes, "displacement");
+  const Attribute* ux = find_attribute(fields.vertex_attributes, "ux");
+  ASSERT_TRUE(displacement && ux);
+  for (std::size_t v = 0; v < ux->values.size(); ++v) {
+    ASSERT_EQ(displacement->values[3 * v], ux->values[v]);
+  }
+}
+
 TEST_F(Crack, CtrlCWritesWhatThereIsAndExitsWith130) {
   // Never cracks and never ends.
   const pid_t process =

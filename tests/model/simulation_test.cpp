@@ -49,6 +49,28 @@ TEST(Simulation, CracksUntilNothingCanFailAndLeavesNoNodeAboveTheToughness) {
   }
 }
 
+TEST(Simulation, WithStrengthTheUnitOfLengthDoesNotMatterByEulerStepsEither) {
+  // A power of two, so that not even rounding differs.
+  constexpr double unit = 1.0 / 1048576;
+  SimulationParameters p = small_run();
+  p.material.criterion = Criterion::strength;
+  p.material.strength = 0.8;
+  p.material.relative_toughness = 0.3;
+  const TriangleMesh large = mesh_of("plate?n=16&jitter=0.3");
+  std::vector<Vec3> positions = large.positions();
+  for (Vec3& x : positions) x *= unit;
+  const TriangleMesh small(std::move(positions), large.triangles());
+  SimulationParameters q = p;
+  q.layer.screening_length *= unit;
+  Simulation a(large, test::noisy_tension(large, 1), p, {}),
+      b(small, test::noisy_tension(large, 1), q, {});
+  EXPECT_EQ(a.run({}), b.run({}));
+  EXPECT_GT(a.events(), 20);
+  EXPECT_EQ(a.events(), b.events());
+  EXPECT_EQ(a.time(), b.time()) << "they come to rest after the same steps";
+  EXPECT_EQ(a.mesh().triangles(), b.mesh().triangles());
+}
+
 TEST(Simulation, BelowTheToughnessNothingCracks) {
   SimulationParameters p = small_run();
   p.material.toughness = 1;

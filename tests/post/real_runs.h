@@ -32,7 +32,7 @@ inline Simulation cracked(const std::string& shape, const std::string& preset = 
 inline std::vector<Vec3> displacements(const Simulation& simulation) {
   std::vector<Vec3> u;
   for (std::int32_t v = 0; v < simulation.mesh().vertex_count(); ++v) {
-    u.push_back(simulation.field().displacement(v));
+    u.push_back(simulation.displacement(v));
   }
   return u;
 }

@@ -2,16 +2,17 @@
 
 #include <limits>
 
+#include "craze/model/failure_criterion.h"
 #include "craze/model/screening.h"
 
 namespace craze {
 
 namespace {
 
-// A node is moved by a force above this part of the toughness: far below what any pattern sees, far
-// above rounding.
+// A node is moved by a force above this part of that at which nodes fail: far below what any
+// pattern sees, far above rounding.
 constexpr double rest_force = 1e-7;
-// Nothing more can happen once every force is below this part of the toughness.
+// Nothing more can happen once every force is below this part of it.
 constexpr double equilibrium_force = 1e-3;
 
 }  // namespace
@@ -20,13 +21,12 @@ EulerEvolution::EulerEvolution(const TriangleMesh& mesh, const StressField& fiel
                                const SimulationParameters& parameters,
                                const EvolutionInputs& inputs)
     : parameters_(parameters.evolution),
-      toughness_(parameters.material.toughness),
+      failure_force_(typical_failure_force(mesh, parameters.material)),
       initial_tension_(inputs.initial_tension),
       growth_(inputs.growth),
-      relaxation_(
-          mesh, field,
-          {parameters.evolution.time_step, adhesion(parameters.layer),
-           rest_force * parameters.material.toughness, parameters.engine == Engine::quasistatic}) {
+      relaxation_(mesh, field,
+                  {parameters.evolution.time_step, adhesion(parameters.layer),
+                   rest_force * failure_force_, parameters.engine == Engine::quasistatic}) {
   relaxation_.fixed = inputs.fixed;
 }
 
@@ -66,7 +66,7 @@ void EulerEvolution::add_growth(StressField& field, const TriangleMesh& mesh) {
 
 bool EulerEvolution::advance(double) {
   if (grows()) return !reached_max_load();
-  return time_ == 0 || relaxation_.largest_force() > equilibrium_force * toughness_;
+  return time_ == 0 || relaxation_.largest_force() > equilibrium_force * failure_force_;
 }
 
 double EulerEvolution::independence_distance() const {

@@ -34,7 +34,7 @@ class EulerEvolution : public Evolution {
   void add_growth(StressField& field, const TriangleMesh& mesh);
 
   EvolutionParameters parameters_;
-  double toughness_;
+  double failure_force_;
   double initial_tension_, added_tension_ = 0;
   const std::vector<Sym3>* growth_;
   EulerRelaxation relaxation_;

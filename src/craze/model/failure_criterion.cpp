@@ -28,6 +28,19 @@ double node_width(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal) 
   return 0.5 * width;
 }
 
+double typical_failure_force(const TriangleMesh& mesh, const MaterialParameters& material) {
+  if (material.criterion == Criterion::force) return material.toughness;
+  // node_width() of a regular star is about the height of its triangles.
+  constexpr double width_per_edge = 0.87;
+  double edges = 0;
+  for (const Triangle& t : mesh.triangles()) {
+    for (int i = 0; i < 3; ++i) {
+      edges += (mesh.position(t[i]) - mesh.position(t[(i + 1) % 3])).norm();
+    }
+  }
+  return material.strength * width_per_edge * edges / (3 * std::max(1, mesh.face_count()));
+}
+
 FailureCriterion::FailureCriterion(const MaterialParameters& material, double process_zone)
     : material_(material), process_zone_(process_zone) {}
 

@@ -29,6 +29,9 @@ double node_width(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal);
 double mean_tension_ahead(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
                           const Vec3& normal, double length);
 
+/// The v⁺ at which a typical intact node fails, force: what a force is small or large against.
+double typical_failure_force(const TriangleMesh& mesh, const MaterialParameters& material);
+
 /// Turns (v⁺, n̂⁺) of a node into a force threshold. Criterion "force": τ [IO06 §3.4]. Criterion
 /// "strength": an intact node fails at v⁺ = strength · w, a crack tip at v⁺ = toughness · √w, with
 /// w = node_width(n̂⁺), since the stress near a tip grows as 1/√distance. No intact node fails

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "craze/model/failure_criterion.h"
 #include "craze/model/screening.h"
 
 namespace craze {
@@ -19,27 +20,13 @@ constexpr double independence = 4.0;
 // Equilibrium is tightened everywhere each time the load has grown by this factor.
 constexpr double accuracy_step = 1.25;
 
-/// The v⁺ at which a typical node fails at load 1, force.
-double failure_force(const TriangleMesh& mesh, const MaterialParameters& material) {
-  if (material.criterion == Criterion::force) return material.toughness;
-  // node_width() of a regular star is about the height of its triangles.
-  constexpr double width_per_edge = 0.87;
-  double edges = 0;
-  for (const Triangle& t : mesh.triangles()) {
-    for (int i = 0; i < 3; ++i) {
-      edges += (mesh.position(t[i]) - mesh.position(t[(i + 1) % 3])).norm();
-    }
-  }
-  return material.strength * width_per_edge * edges / (3 * std::max(1, mesh.face_count()));
-}
-
 }  // namespace
 
 QuasistaticEvolution::QuasistaticEvolution(const TriangleMesh& mesh,
                                            const SimulationParameters& parameters,
                                            const EvolutionInputs& inputs)
     : parameters_(parameters.evolution),
-      failure_force_(failure_force(mesh, parameters.material)),
+      failure_force_(typical_failure_force(mesh, parameters.material)),
       equilibrium_({adhesion(parameters.layer), 0, reach * parameters.layer.screening_length}),
       independence_(parameters.evolution.load_step > 0
                         ? independence * parameters.layer.screening_length

@@ -44,9 +44,14 @@ class Simulation {
   StopReason run(const Context& context);
 
   const TriangleMesh& mesh() const { return mesh_; }
+  /// σ, F and u at load 1: load_on_field() times these are the state that was reached.
   const StressField& field() const { return field_; }
-  /// ς of a node without the residual of Eq. 8; force.
+  /// ς of a node without the residual of Eq. 8, at load 1; force.
   Sym3 separation(std::int32_t v) const;
+  /// The load factor s (quasistatic), 1 before a load was sought; 1 (euler).
+  double load_on_field() const { return evolution_->load() > 0 ? evolution_->load() : 1; }
+  /// The accumulated virtual displacement u of a node at the load that was reached.
+  Vec3 displacement(std::int32_t v) const { return load_on_field() * field_.displacement(v); }
   CrackNetwork network() const;
   /// The time at which each crack label (TriangleMesh::crack_of) opened.
   std::vector<double> crack_times() const;

@@ -36,27 +36,28 @@ SurfaceMesh field_mesh(const Simulation& simulation, double curvature_radius,
                        const Context& context) {
   const TriangleMesh& mesh = simulation.mesh();
   const StressField& field = simulation.field();
+  const double load = simulation.load_on_field();
   SurfaceMesh result;
   result.positions = mesh.positions();
   result.triangles = mesh.triangles();
 
   add_attributes(result.face_attributes, {"s_xx", "s_yy", "s_zz", "s_xy", "s_yz", "s_zx"},
                  mesh.face_count(), [&](std::int32_t f, double* out) {
-                   const Sym3 s = field.stress(mesh, f);
+                   const Sym3 s = load * field.stress(mesh, f);
                    const double values[6] = {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx};
                    std::copy(values, values + 6, out);
                  });
   auto& vertex = result.vertex_attributes;
   const std::int32_t n = mesh.vertex_count();
   add_attributes(vertex, {"fx", "fy", "fz"}, n,
-                 [&](std::int32_t v, double* out) { put(out, field.force(v)); });
+                 [&](std::int32_t v, double* out) { put(out, load * field.force(v)); });
   add_attributes(vertex, {"v", "nx", "ny", "nz"}, n, [&](std::int32_t v, double* out) {
-    const Eigenpair pair = largest_eigenpair(simulation.separation(v));
+    const Eigenpair pair = largest_eigenpair(load * simulation.separation(v));
     out[0] = std::max(pair.value, 0.0);
     put(out + 1, pair.vector);
   });
   add_attributes(vertex, {"ux", "uy", "uz"}, n,
-                 [&](std::int32_t v, double* out) { put(out, field.displacement(v)); });
+                 [&](std::int32_t v, double* out) { put(out, simulation.displacement(v)); });
   const std::vector<PrincipalCurvature> curvature =
       vertex_curvature(mesh, curvature_radius, context);
   add_attributes(vertex, {"k1", "k2"}, n, [&](std::int32_t v, double* out) {

@@ -77,7 +77,7 @@ SurfaceMesh output_surface(const SurfaceMesh& surface, const Simulation& simulat
 
   Attribute displacement{"displacement", 3, {}};
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    const Vec3 u = simulation.field().displacement(v);
+    const Vec3 u = simulation.displacement(v);
     displacement.values.insert(displacement.values.end(), u.data(), u.data() + 3);
   }
   set_attribute(result.vertex_attributes, std::move(displacement));

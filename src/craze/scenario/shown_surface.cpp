@@ -50,7 +50,7 @@ ShownSurface shown_surface(const SurfaceMesh& cut, const Simulation& simulation,
   const TriangleMesh& mesh = simulation.mesh();
   std::vector<Vec3> displacement(static_cast<std::size_t>(mesh.vertex_count()));
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    displacement[v] = simulation.field().displacement(v);
+    displacement[v] = simulation.displacement(v);
   }
   OpeningOptions options;
   options.gap = post.gap;
