@@ -157,7 +157,7 @@ void add_crack(CLI::App& app, Action& action) {
       "  craze crack cup.obj -o cracked.glb --preset glaze\n"
       "  craze crack shape:plate?n=99 -o mud.ply --preset mud --lines mud.svg --report mud.json\n"
       "  craze crack scan.ply -o scan_cracked.ply --set stress.attribute=paint --seed 7\n"
-      "  craze crack shape:plate -o grow.glb --preset mud --set post.gap=0.15 --set post.wall=0.02 "
+      "  craze crack shape:plate -o grow.glb --preset mud --set post.gap=0.08 --set post.wall=0.02 "
       "--animate\n"
       "  craze crack shape:cup --video grow.mp4 --frame-count 96\n"
       "  craze crack vase.obj -o pieces.glb --fragments\n"

@@ -23,7 +23,7 @@ double size_of(const TriangleMesh& mesh) {
 
 /// What a user who looks at the pictures would ask for.
 OpeningOptions moderate(const TriangleMesh& mesh) {
-  return {.gap = 0.1, .wall = 0.008 * size_of(mesh), .curl = 0.3};
+  return {.gap = 0.05, .wall = 0.008 * size_of(mesh), .curl = 0.3};
 }
 
 /// Throws where an edge has more than two faces or two that run the same way.
@@ -85,7 +85,7 @@ TEST_P(WallsOfRealRuns, CloseTheSurfaceWithThicknessAndDoNotCross) {
 TEST_P(WallsOfRealRuns, DoNotCrossForAbsurdValuesEitherAndSaySo) {
   const Simulation simulation = test::cracked(GetParam());
   const TriangleMesh& mesh = simulation.mesh();
-  const OpenedMesh result = opened(simulation, {.gap = 20, .wall = 0.3 * size_of(mesh), .curl = 2});
+  const OpenedMesh result = opened(simulation, {.gap = 10, .wall = 0.3 * size_of(mesh), .curl = 2});
   EXPECT_GT(result.limited_vertices, 0);
   EXPECT_LT(result.least_share, 1);
   EXPECT_EQ(self_intersections(result.mesh.positions, result.mesh.triangles).size(),

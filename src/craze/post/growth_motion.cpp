@@ -127,8 +127,9 @@ Vec3 goal_of(const std::vector<std::int32_t>& group,
 
 GrowthMotion::GrowthMotion(const TriangleMesh& mesh, const CrackSites& sites,
                            const CrackSchedule& schedule, const OpenedMesh& opened)
-    : shut_(opened.mesh.positions) {
+    : shut_(opened.mesh.positions), drag_(mesh, sites) {
   std::copy(mesh.positions().begin(), mesh.positions().end(), shut_.begin());
+  add_bottoms(mesh, sites, opened);
   std::vector<Vec3> whole(mesh.positions().size());
   bool moves = false;
   for (std::size_t v = 0; v < whole.size(); ++v) {
@@ -136,11 +137,27 @@ GrowthMotion::GrowthMotion(const TriangleMesh& mesh, const CrackSites& sites,
     moves = moves || !whole[v].isZero(0);
   }
   if (!moves) return;
-  const std::vector<double> arrival = arrivals(mesh, sites, schedule);
+  arrival_ = arrivals(mesh, sites, schedule);
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (sites.site_of[v] < 0 && !whole[v].isZero(0)) shifts_.push_back({v, arrival[v], whole[v]});
+    if (sites.site_of[v] < 0 && !whole[v].isZero(0)) shifts_.push_back({v, arrival_[v], whole[v]});
   }
   part_at_sites(mesh, sites, schedule, whole);
+}
+
+void GrowthMotion::add_bottoms(const TriangleMesh& mesh, const CrackSites& sites,
+                               const OpenedMesh& opened) {
+  std::vector<std::uint8_t> at_border(sites.vertex.size(), 0);
+  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+    if (mesh.opposite(h) != TriangleMesh::border) continue;
+    for (const std::int32_t v : {mesh.from(h), mesh.to(h)}) {
+      if (sites.site_of[v] >= 0) at_border[sites.site_of[v]] = 1;
+    }
+  }
+  for (std::int32_t b = mesh.vertex_count(); b < static_cast<std::int32_t>(shut_.size()); ++b) {
+    const std::int32_t top = opened.vertex_of[b], site = sites.site_of[top];
+    if (site < 0 || at_border[site]) continue;
+    bottoms_.push_back({b, top, opened.mesh.positions[b] - mesh.position(top)});
+  }
 }
 
 void GrowthMotion::part_at_sites(const TriangleMesh& mesh, const CrackSites& sites,
@@ -183,8 +200,21 @@ void GrowthMotion::part_at_sites(const TriangleMesh& mesh, const CrackSites& sit
 
 std::vector<Vec3> GrowthMotion::positions(double time) const {
   std::vector<Vec3> positions = shut_;
+  if (shifts_.empty()) return positions;
+  std::vector<Vec3> move(arrival_.size(), Vec3::Zero());
   for (const Shift& shift : shifts_) {
-    positions[shift.vertex] += CrackSchedule::openness(shift.arrival, time) * shift.by;
+    move[shift.vertex] += CrackSchedule::openness(shift.arrival, time) * shift.by;
+  }
+  std::vector<double> slack(arrival_.size());
+  for (std::size_t v = 0; v < slack.size(); ++v) {
+    slack[v] = 1 - CrackSchedule::openness(arrival_[v], time);
+  }
+  drag_.along(slack, move);
+  for (std::size_t v = 0; v < move.size(); ++v) positions[v] += move[v];
+  for (const Bottom& bottom : bottoms_) {
+    const double open = 1 - slack[bottom.top];
+    positions[bottom.vertex] =
+        shut_[bottom.top] + open * bottom.down + (1 - open) * move[bottom.top];
   }
   return positions;
 }

@@ -5,6 +5,7 @@
 
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/post/crack_schedule.h"
+#include "craze/post/drag.h"
 #include "craze/post/opening.h"
 
 namespace craze {
@@ -12,7 +13,8 @@ namespace craze {
 /// How the vertices of an opened mesh get from the shut surface to their places. The sides of a
 /// crack part as it comes by; where a later crack will start from an open one, the two corners that
 /// it will separate move as one until then. Between cracks vertices go when the cracks around them
-/// have come, on average. The bottoms of side walls do not move.
+/// have come, on average; what has not gone yet is dragged along by what has (drag.h). Side walls
+/// go down as their cracks open; those along the input's border are there from the start.
 class GrowthMotion {
  public:
   /// `opened` was made of `mesh`.
@@ -30,11 +32,22 @@ class GrowthMotion {
     Vec3 by;
   };
 
+  /// Where the bottom of a wall is when its crack is shut.
+  struct Bottom {
+    std::int32_t vertex;  ///< of the opened mesh
+    std::int32_t top;     ///< of the cut mesh
+    Vec3 down;            ///< from the top, shut, to its place
+  };
+
+  void add_bottoms(const TriangleMesh& mesh, const CrackSites& sites, const OpenedMesh& opened);
   void part_at_sites(const TriangleMesh& mesh, const CrackSites& sites,
                      const CrackSchedule& schedule, const std::vector<Vec3>& whole);
 
   std::vector<Vec3> shut_;
   std::vector<Shift> shifts_;
+  std::vector<double> arrival_;  // #V of the cut mesh
+  std::vector<Bottom> bottoms_;
+  Drag drag_;
 };
 
 }  // namespace craze

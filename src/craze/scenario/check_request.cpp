@@ -61,7 +61,7 @@ void check_growth(const RunRequest& request) {
   if (any) check_mesh_file(request.output, request.split_fragments, request.animate);
   if (request.animate && request.recipe.post.gap == 0) {
     wrong("nothing would move", "--animate",
-          "the cracks stay shut; open them, for example with --set post.gap=0.1");
+          "the cracks stay shut; open them, for example with --set post.gap=0.05");
   }
   const std::vector<std::string> formats{"png", "ply", "obj", "stl", "glb"};
   if (std::find(formats.begin(), formats.end(), request.frame_format) == formats.end()) {
