@@ -66,20 +66,31 @@ void expect_own_material(const OpenedMesh& result) {
 class WallsOfRealRuns : public testing::TestWithParam<const char*> {};
 
 TEST_P(WallsOfRealRuns, CloseTheSurfaceWithThicknessAndDoNotCross) {
-  constexpr std::uint64_t seed = 2;
-  const Simulation simulation = test::cracked(GetParam(), "mud", 0.12, seed);
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    SCOPED_TRACE(seed);
+    const Simulation simulation = test::cracked(GetParam(), "mud", 0.12, seed);
+    const TriangleMesh& mesh = simulation.mesh();
+    ASSERT_GT(simulation.events(), 20);
+    const OpeningOptions options = moderate(mesh);
+    const OpenedMesh result = opened(simulation, options);
+    expect_closed_but_for_the_rim(mesh, result);
+    expect_same_orientation(mesh, result);
+    expect_thickness(mesh, result, options.wall);
+    expect_own_material(result);
+    EXPECT_TRUE(self_intersections(result.mesh.positions, result.mesh.triangles).empty());
+    EXPECT_EQ(result.crossings, 0);
+    EXPECT_LT(result.limited_vertices, 0.02 * mesh.vertex_count())
+        << "what was asked for is done nearly everywhere";
+  }
+}
+
+TEST_P(WallsOfRealRuns, OfShutCracksLieOnEachOtherAndDoNotCross) {
+  const Simulation simulation = test::cracked(GetParam());
   const TriangleMesh& mesh = simulation.mesh();
-  ASSERT_GT(simulation.events(), 20);
-  const OpeningOptions options = moderate(mesh);
-  const OpenedMesh result = opened(simulation, options);
-  expect_closed_but_for_the_rim(mesh, result);
-  expect_same_orientation(mesh, result);
-  expect_thickness(mesh, result, options.wall);
-  expect_own_material(result);
-  EXPECT_TRUE(self_intersections(result.mesh.positions, result.mesh.triangles).empty());
-  EXPECT_EQ(result.crossings, 0);
-  EXPECT_LT(result.limited_vertices, 0.02 * mesh.vertex_count())
-      << "what was asked for is done nearly everywhere";
+  const std::vector<Vec3> shut(mesh.positions().size(), Vec3::Zero());
+  const OpenedMesh result = open_cracks(mesh, shut, moderate(mesh));
+  EXPECT_LT(result.limited_vertices, 0.005 * mesh.vertex_count())
+      << "but for half a percent, near each other on thin rims";
 }
 
 TEST_P(WallsOfRealRuns, DoNotCrossForAbsurdValuesEitherAndSaySo) {

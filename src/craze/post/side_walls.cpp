@@ -1,6 +1,6 @@
 #include "craze/post/side_walls.h"
 
-#include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -19,19 +19,18 @@ class WallBuilder {
         bottom_of_(mesh.vertex_count(), -1) {}
 
   /// A wall under the open halfedge h. `inner`: vertices inside its bottom edge, in its direction.
-  /// It is a fan from one of the upper ends.
-  void build(std::int32_t h, const std::vector<std::int32_t>& inner, bool from_start) {
+  /// Its upper ends a and b fan out over the bottom: a over the first `from_start` edges, b over
+  /// the rest.
+  void build(std::int32_t h, const std::vector<std::int32_t>& inner, std::size_t from_start) {
     const std::int32_t a = mesh_.from(h), b = mesh_.to(h);
-    std::vector<std::int32_t> outline{a, bottom(a)};
-    for (const std::int32_t v : inner) outline.push_back(bottom(v));
-    outline.push_back(bottom(b));
-    outline.push_back(b);
-    if (!from_start) {
-      std::rotate(outline.begin(), outline.end() - 1, outline.end());
+    std::vector<std::int32_t> bottoms{bottom(a)};
+    for (const std::int32_t v : inner) bottoms.push_back(bottom(v));
+    bottoms.push_back(bottom(b));
+    for (std::size_t i = 0; i + 1 < bottoms.size(); ++i) {
+      if (i == from_start) walls_.triangles.push_back({a, bottoms[i], b});
+      walls_.triangles.push_back({i < from_start ? a : b, bottoms[i], bottoms[i + 1]});
     }
-    for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
-      walls_.triangles.push_back({outline[0], outline[i], outline[i + 1]});
-    }
+    if (from_start + 1 == bottoms.size()) walls_.triangles.push_back({a, bottoms.back(), b});
   }
 
   SideWalls take() { return std::move(walls_); }
@@ -55,6 +54,29 @@ class WallBuilder {
   SideWalls walls_;
 };
 
+using Between = std::pair<std::int32_t, std::int32_t>;
+/// Which ends of a side lie inside an edge of the other side of the crack.
+struct Inside {
+  bool from, to;
+};
+
+/// By the sites at the ends of a side that is part of an edge of the other side.
+std::map<Between, Inside> inside_other_sides(const TriangleMesh& mesh, const CrackSites& sites) {
+  std::map<Between, Inside> inside;
+  for (std::size_t i = 0; i < sites.sides.size(); ++i) {
+    if (sites.first[i] == sites.first[i + 1]) continue;
+    std::int32_t before = sites.site_of[mesh.from(sites.sides[i])];
+    bool before_inside = false;
+    for (std::int32_t k = sites.first[i]; k < sites.first[i + 1]; ++k) {
+      inside[{sites.inner[k], before}] = {true, before_inside};
+      before = sites.inner[k];
+      before_inside = true;
+    }
+    inside[{sites.site_of[mesh.to(sites.sides[i])], before}] = {false, true};
+  }
+  return inside;
+}
+
 }  // namespace
 
 SideWalls side_walls(const TriangleMesh& mesh, const CrackSites& sites,
@@ -70,6 +92,7 @@ SideWalls side_walls(const TriangleMesh& mesh, const CrackSites& sites,
     ends_at.emplace(b, sites.before_to(mesh, i));
   }
 
+  const std::map<Between, Inside> inside = inside_other_sides(mesh, sites);
   WallBuilder builder(mesh, sites, normals, depth);
   std::vector<std::int32_t> inner;
   for (std::size_t i = 0; i < sites.sides.size(); ++i) {
@@ -79,15 +102,25 @@ SideWalls side_walls(const TriangleMesh& mesh, const CrackSites& sites,
     for (std::int32_t k = sites.first[i]; k < sites.first[i + 1]; ++k) {
       inner.push_back(sites.vertex[sites.inner[k]]);
     }
-    // Both sides fan out from the same site, so that their walls are divided alike and do not
-    // cross, however little they part; but not from a tip, which is the same vertex for both.
+    // Both sides are divided alike, so that their walls do not cross however little they part: they
+    // fan out from the same site, or, where one side was split, from the ends of the other, whole
+    // one. But not from a tip, which is the same vertex for both.
     const bool a_is_tip = ends_at.count({a, sites.after_from(mesh, i)}) > 0;
     const bool b_is_tip = starts_at.count({b, sites.before_to(mesh, i)}) > 0;
-    const bool from_start = b_is_tip || (!a_is_tip && sites.site_of[a] > sites.site_of[b]);
+    const std::size_t bottom_edges = inner.size() + 1;
+    std::size_t from_start = sites.site_of[a] > sites.site_of[b] ? bottom_edges : 0;
+    const auto part = inside.find({sites.site_of[a], sites.site_of[b]});
+    if (!inner.empty()) {
+      from_start = 1;
+    } else if (part != inside.end() && part->second.from != part->second.to) {
+      from_start = part->second.from ? 0 : bottom_edges;
+    }
+    if (a_is_tip) from_start = 0;
+    if (b_is_tip) from_start = bottom_edges;
     builder.build(h, inner, from_start);
   }
   for (std::int32_t h = 0; along_border && h < 3 * mesh.face_count(); ++h) {
-    if (mesh.opposite(h) == TriangleMesh::border) builder.build(h, {}, false);
+    if (mesh.opposite(h) == TriangleMesh::border) builder.build(h, {}, 0);
   }
   return builder.take();
 }
