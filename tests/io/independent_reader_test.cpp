@@ -120,7 +120,7 @@ SurfaceMesh crack_and_write(const TemporaryFolder& folder, const std::filesystem
   request.output = output;
   request.recipe = read_preset("mud");
   apply_set(request.recipe, "layer.relative_spacing=0.2");
-  apply_set(request.recipe, "post.gap=0.1");
+  apply_set(request.recipe, "post.gap=0.05");
   apply_set(request.recipe, "post.wall=0.02");
   run(request, {});
   return input;
