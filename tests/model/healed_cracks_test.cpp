@@ -54,7 +54,7 @@ TEST(HealedCracks, TheWeakestPlaneIsTheBestOfAllPlanes) {
   const HealedCracks healed(straight_crack(), ratio, width);
   const Sym3 stress{1.0, 0.7, 0, 0.2, 0, 0};
   const Vec3 position(0.1, 0.05, 0);
-  const WeakPlane weak = healed.weakest_plane(position, stress);
+  const WeakPlane weak = healed.weakest_plane(healed.weakness(position), stress);
   EXPECT_NEAR(weak.strength, factor(healed, position, weak.plane.vector), 1e-9);
   double best = 0;
   for (int i = 0; i < 3600; ++i) {
@@ -74,8 +74,8 @@ TEST(HealedCracks, AChangeOfStressCountsNoMoreThanTheSensitivity) {
     Sym3 more = stress;
     const double change = 0.3 * random.uniform();
     add_outer(more, change, Vec3(random.uniform(), random.uniform(), 0).normalized());
-    const WeakPlane before = healed.weakest_plane(position, stress);
-    const WeakPlane after = healed.weakest_plane(position, more);
+    const WeakPlane before = healed.weakest_plane(healed.weakness(position), stress);
+    const WeakPlane after = healed.weakest_plane(healed.weakness(position), more);
     const double grown = after.plane.value / after.strength - before.plane.value / before.strength;
     // before.sensitivity is per strength of the plane before.
     EXPECT_LE(grown, before.sensitivity / before.strength * change + 1e-12);

@@ -28,6 +28,7 @@ FailureWatch::FailureWatch(const SimulationParameters& parameters)
 
 void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes, int threads) {
   failing_.resize(scene.mesh.vertex_count());
+  if (!scene.fields.healed.empty()) scars_.resize(scene.mesh.vertex_count());
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   parallel_for(threads, nodes.size(), 128, [&](std::size_t begin, std::size_t end) {
@@ -76,7 +77,7 @@ void FailureWatch::enter(const Scene& scene, std::int32_t v) {
   queue_.set(v, key * highest > 1 ? key : 0);
 }
 
-Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) const {
+Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) {
   const double scale =
       std::max(least_scale, mean_factor(scene.mesh, scene.fields.toughness_scale, v));
   const double load = scene.evolution.load();
@@ -107,13 +108,13 @@ Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) c
 }
 
 Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3& separation,
-                                 double scale, bool exact) const {
+                                 double scale, bool exact) {
   Failure failure;
   Eigenpair pair;
   if (scene.fields.healed.empty()) {
     pair = largest_eigenpair(separation);
   } else {
-    const WeakPlane weak = scene.fields.healed.weakest_plane(scene.mesh.position(v), separation);
+    const WeakPlane weak = scene.fields.healed.weakest_plane(weakness(scene, v), separation);
     pair = weak.plane;
     scale *= weak.strength;
     failure.weight = weak.sensitivity;
@@ -128,6 +129,15 @@ Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3&
   failure.threshold = criterion_.threshold(scene.mesh, scene.field, v, pair, scale, failure.shield);
   failure.measure = pair.value / failure.threshold;
   return failure;
+}
+
+const Mat3& FailureWatch::weakness(const Scene& scene, std::int32_t v) {
+  Scar& scar = scars_[v];
+  const Vec3& position = scene.mesh.position(v);
+  if (scar.weakness.isZero(0) || scar.position != position) {
+    scar = {position, scene.fields.healed.weakness(position)};
+  }
+  return scar.weakness;
 }
 
 void FailureWatch::could_not_open(std::int32_t v) {

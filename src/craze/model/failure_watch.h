@@ -62,15 +62,23 @@ class FailureWatch {
               std::vector<std::int32_t>& changed);
 
  private:
-  Failure evaluate(const Scene& scene, std::int32_t v, bool exact) const;
+  /// The weakness that healed cracks leave at a node, and where it was when that was found.
+  struct Scar {
+    Vec3 position = Vec3::Zero();
+    Mat3 weakness = Mat3::Zero();
+  };
+
+  Failure evaluate(const Scene& scene, std::int32_t v, bool exact);
   Failure failure_of(const Scene& scene, std::int32_t v, const Sym3& separation, double scale,
-                     bool exact) const;
+                     bool exact);
+  const Mat3& weakness(const Scene& scene, std::int32_t v);
   void enter(const Scene& scene, std::int32_t v);
 
   double alpha_, bias_;
   FailureCriterion criterion_;
   FailureQueue queue_;                                // by measure, or its upper bound
   std::vector<Failure> failing_;                      // #V
+  std::vector<Scar> scars_;                           // #V where cracks have healed
   std::unordered_map<std::int32_t, Sym3> residuals_;  // Eq. 8, of live tips
   std::unordered_map<std::int32_t, Vec3> arrested_;   // planes on which a node could not open
   // Nodes that would fail but for the process zone of a tip.

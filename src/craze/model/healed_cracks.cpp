@@ -56,9 +56,8 @@ Mat3 HealedCracks::weakness(const Vec3& position) const {
   return sum;
 }
 
-WeakPlane HealedCracks::weakest_plane(const Vec3& position, const Sym3& separation) const {
+WeakPlane HealedCracks::weakest_plane(const Mat3& w, const Sym3& separation) const {
   // With n̂ = W m / |W m| the ratio is mᵀ W ς W m / mᵀ m, so m is an eigenvector of W ς W.
-  const Mat3 w = weakness(position);
   const Mat3 driven = w * separation.matrix() * w;
   const Eigenpair top = largest_eigenpair(
       {driven(0, 0), driven(1, 1), driven(2, 2), 0.5 * (driven(0, 1) + driven(1, 0)),

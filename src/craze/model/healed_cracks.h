@@ -38,8 +38,8 @@ class HealedCracks {
   bool empty() const { return pieces_.empty(); }
   /// W at a point.
   Mat3 weakness(const Vec3& position) const;
-  /// Maximises n̂ᵀ ς n̂ over the factor n̂ᵀ W⁻² n̂ on the strength.
-  WeakPlane weakest_plane(const Vec3& position, const Sym3& separation) const;
+  /// Maximises n̂ᵀ ς n̂ over the factor n̂ᵀ W⁻² n̂ on the strength, W = weakness(position).
+  WeakPlane weakest_plane(const Mat3& weakness, const Sym3& separation) const;
 
  private:
   struct Piece {
