@@ -12,6 +12,7 @@ namespace {
 const std::vector<std::string> mud{"crack", "shape:plate?n=16&jitter=0.3", "--preset", "mud",
                                    "--set", "layer.relative_spacing=0.15"};
 const std::vector<std::string> gaps{"--set", "post.gap=0.1", "--set", "post.wall=0.02"};
+const std::vector<std::string> small{"--width", "160", "--height", "120"};
 
 std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -86,7 +87,7 @@ TEST_F(Growth, FramesAsMeshesHaveOneTopologyAndOpenMoreAndMore) {
 
 TEST_F(Growth, FramesArePicturesIfNothingElseIsAskedFor) {
   const CommandResult result =
-      run(mud + std::vector<std::string>{"--frames", "f", "--frame-count", "2"});
+      run(mud + small + std::vector<std::string>{"--frames", "f", "--frame-count", "2"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(count(".png"), 2u);
 }
@@ -119,18 +120,19 @@ TEST_F(Growth, FragmentsBecomeObjectsAroundTheirOwnMiddle) {
 TEST_F(Growth, TheVideoIsMadeByFfmpegFromTheFrames) {
   // Keeps what it is asked and given.
   fake("ffmpeg", "echo \"$@\" > asked\nfor last; do true; done\ncat > \"$last\"\n");
-  const CommandResult result = run(
-      mud + std::vector<std::string>{"--video", "v.mp4", "--frame-count", "3", "--seconds", "1.5"});
+  const CommandResult result =
+      run(mud + small +
+          std::vector<std::string>{"--video", "v.mp4", "--frame-count", "3", "--seconds", "1.5"});
   ASSERT_EQ(result.code, 0) << result.err;
-  EXPECT_EQ(std::filesystem::file_size(file("v.mp4")), 3u * 3 * 1280 * 960);
+  EXPECT_EQ(std::filesystem::file_size(file("v.mp4")), 3u * 3 * 160 * 120);
   const std::string asked = read_text(file("asked"));
-  EXPECT_NE(asked.find("-video_size 1280x960"), std::string::npos) << asked;
+  EXPECT_NE(asked.find("-video_size 160x120"), std::string::npos) << asked;
   EXPECT_NE(asked.find("-framerate 2"), std::string::npos) << asked;
 }
 
 TEST_F(Growth, WhatFfmpegSaysIsPassedOnAndNothingIsLeft) {
   fake("ffmpeg", "echo 'no such codec' >&2\ncat > /dev/null\nexit 3\n");
-  expect_error(mud + std::vector<std::string>{"--video", "v.mp4", "--frame-count", "1"}, 1,
+  expect_error(mud + small + std::vector<std::string>{"--video", "v.mp4", "--frame-count", "1"}, 1,
                "no such codec");
 }
 

@@ -40,6 +40,9 @@ TEST_F(Readme, EveryCommandRunsAndWritesItsFiles) {
     if (call.front() == "crack" && call.back() != "--help") {
       call.insert(call.end(), {"--max-cracks", "3"});
     }
+    if (std::find(call.begin(), call.end(), "--picture") != call.end()) {
+      call.insert(call.end(), {"--width", "160", "--height", "120"});
+    }
     const CommandResult result = run(call);
     EXPECT_EQ(result.code, 0) << text << "\n" << result.err;
     for (std::size_t i = 0; i + 1 < call.size(); ++i) {

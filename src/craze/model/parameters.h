@@ -83,6 +83,7 @@ struct EvolutionParameters {
   std::int64_t cycles = 1;      ///< times the layer cracks; it heals in between
   double healing = 0.3;         ///< strength across a healed crack over that around it
   double scar_width = 0.3;      ///< of a healed crack's weakness, standard deviation over ℓ
+  double drift = 0;             ///< of junctions from cycle to cycle, over ℓ; 0: none
 };
 
 /// [boundary]

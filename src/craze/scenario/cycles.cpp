@@ -5,6 +5,7 @@
 
 #include "craze/base/error.h"
 #include "craze/base/random.h"
+#include "craze/model/junction_drift.h"
 
 namespace craze {
 
@@ -76,7 +77,10 @@ LastCycle run_cycles(const SimulationSurface& surface, const SimulationParameter
     if (last.reason == StopReason::cancelled || last.reason == StopReason::max_cracks) break;
     healed = {};
     if (cycle + 1 < evolution.cycles && evolution.healing < 1) {
-      healed = HealedCracks(last.simulation->network(), evolution.healing, scar_width);
+      CrackNetwork cracks = last.simulation->network();
+      const double drift = evolution.drift * parameters.layer.screening_length;
+      if (drift > 0) cracks = drifted(cracks, drift);
+      healed = HealedCracks(cracks, evolution.healing, scar_width);
     }
   }
   return last;

@@ -191,7 +191,11 @@ std::vector<Parameter> make_table() {
                 "remembered"})
       .add("scar_width", &EvolutionParameters::scar_width, positive,
            {.help = "half width of the weak strip that a healed crack leaves, over the screening "
-                    "length"});
+                    "length"})
+      .add("drift", &EvolutionParameters::drift, not_negative,
+           {.help = "how far the junctions of healed cracks move from cycle to cycle, toward three "
+                    "angles of 120 degrees, over the screening length; 0: they stay",
+            .source = "Goehring et al. 2010"});
 
   Section(
       t, "boundary.", [](auto& r, std::size_t) -> auto& { return r.simulation.boundary; })
