@@ -70,6 +70,41 @@ TEST(Equilibrium, AtEveryCrackDecisionTheResidualIsWithinWhatIsStated) {
   }
 }
 
+TriangleMesh scaled(const std::string& shape, double by) {
+  const TriangleMesh mesh = test::mesh_of(shape);
+  std::vector<Vec3> positions = mesh.positions();
+  for (Vec3& p : positions) p *= by;
+  return {positions, mesh.triangles()};
+}
+
+TEST(Equilibrium, PatternsDoNotDependOnTheUnitOfLength) {
+  std::vector<std::int64_t> lengths;
+  for (const double unit : {1.0, 0x1p90, 0x1p-90}) {
+    SimulationParameters p = layer();
+    p.layer.screening_length = 0.15 * unit;
+    const TriangleMesh mesh = scaled("plate?n=20&jitter=0.3", unit);
+    Simulation s(mesh, test::noisy_tension(mesh, 1), p, {});
+    s.run({});
+    lengths.push_back(static_cast<std::int64_t>(s.network().edges.size()));
+  }
+  EXPECT_GT(lengths[0], 100);
+  EXPECT_EQ(lengths[1], lengths[0]);
+  EXPECT_EQ(lengths[2], lengths[0]);
+}
+
+// A toughness in forces that are nothing beside those of a huge mesh asks for a residual below
+// what doubles tell.
+TEST(Equilibrium, AToleranceBelowTheRoundingOfForcesEnds) {
+  SimulationParameters p = layer();
+  p.material = {};
+  p.layer.screening_length = 0.3e20;
+  p.evolution.max_cracks = 5;
+  const TriangleMesh mesh = scaled("plate?n=20&jitter=0.3", 1e20);
+  Simulation s(mesh, test::noisy_tension(mesh, 1), p, {});
+  s.run({});
+  EXPECT_EQ(s.events(), 5);
+}
+
 /// Where cracks open, one after the other, when the whole mesh is solved directly and every node
 /// looked at after every single crack.
 std::vector<Vec3> exhaustive_sequence(const TriangleMesh& start, const SimulationFields& fields,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 
@@ -12,6 +13,9 @@
 namespace craze {
 
 namespace {
+
+// Forces are rounded: a tolerance below that is never reached, and these rounds tell.
+constexpr int most_stalled_rounds = 8;
 
 /// |F − κ A u|² in the tangent plane; 0 where the node is held.
 double squared_residual(const LayerState& layer, std::int32_t v) {
@@ -50,7 +54,13 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
   for (const std::int32_t v : changed) {
     if (squared_residual(layer, v) > 0.25 * allowed) open.push_back(v);
   }
-  while (!open.empty()) {
+  double best = std::numeric_limits<double>::infinity();
+  int stalled = 0;
+  while (!open.empty() && stalled < most_stalled_rounds) {
+    double largest = 0;
+    for (const std::int32_t v : open) largest = std::max(largest, squared_residual(layer, v));
+    stalled = largest < 0.5 * best ? 0 : stalled + 1;
+    best = std::min(best, largest);
     cluster(mesh, open);
     solve(layer, threads);
     apply(field, layer, threads);

@@ -39,9 +39,10 @@ class Equilibrium {
   double allow_drift(std::int32_t v, double force);
 
   /// Restores equilibrium after the stars of the nodes `changed` did, or anything else at them; all
-  /// other nodes must be in equilibrium already. Appends to `moved` the nodes whose forces
-  /// have changed by more than was allowed (allow_drift). Changes far
-  /// apart are solved apart, in parallel; the result does not depend on threads.
+  /// other nodes must be in equilibrium already. Appends to `moved` the nodes whose forces have
+  /// changed by more than was allowed (allow_drift). A tolerance below the rounding of the forces
+  /// is not reached: the residual is then what rounding leaves. Changes far apart are solved apart,
+  /// in parallel; the result does not depend on threads.
   void restore(StressField& field, const TriangleMesh& mesh,
                const std::vector<std::int32_t>& changed, int threads,
                std::vector<std::int32_t>& moved);

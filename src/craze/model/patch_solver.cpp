@@ -143,11 +143,16 @@ void PatchSolver::clear() {
 void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>& seeds,
                         std::int32_t patch, const std::vector<std::int32_t>& seed_patch,
                         std::vector<std::int32_t>& mark) {
-  // Residuals are counted in tolerances; solved is what is below half of one, and single precision
-  // cannot tell more than this part of the largest.
-  constexpr float solved = 0.25F, precision = 1e-10F;
+  // Residuals are counted in tolerances, or in millionths of the largest where that is more: their
+  // squares must fit. Solved is what is below half a tolerance, and single precision cannot tell
+  // more than this part of the largest.
+  constexpr float precision = 1e-10F;
+  constexpr double least_scale = 1e-6;
   constexpr std::int64_t most_iterations = 10'000;
   scale_ = layer.tolerance;
+  for (const std::int32_t v : seeds) scale_ = std::max(scale_, least_scale * layer.pull(v).norm());
+  const double half_tolerance = 0.5 * layer.tolerance / scale_;
+  const auto solved = static_cast<float>(half_tolerance * half_tolerance);
   clear();
   const Task task{layer, patch, seed_patch, mark};
   for (const std::int32_t v : seeds) {

@@ -71,7 +71,7 @@ class PatchSolver {
   void activate();
   float multiply();
 
-  double scale_ = 1;  // of forces: the tolerance
+  double scale_ = 1;  // of forces: the tolerance or more
   bool converged_ = false;
   std::int64_t iterations_ = 0, node_updates_ = 0;
 
