@@ -21,13 +21,13 @@ step_example() { scripts/readme_example.sh; }
 step_libcxx() { scripts/check_libcxx.sh; }
 # All tests, with AddressSanitizer and UndefinedBehaviorSanitizer.
 step_asan() { cmake --workflow --preset asan; }
-step_fuzz() { CRAZE_FUZZ_BUILD=build/asan fuzz/run.sh "$fuzz_seconds"; }
+step_fuzz() { cmake --workflow --preset fuzz && fuzz/run.sh "$fuzz_seconds"; }
 # All tests, with ThreadSanitizer.
 step_tsan() { cmake --workflow --preset tsan; }
 # With the flags of a clang build: GCC's are not all known to clang-tidy.
 step_tidy() {
-  cmake --preset asan
-  run-clang-tidy -quiet -j "$(nproc)" -p build/asan '/(src/craze|apps)/'
+  cmake --preset tidy
+  run-clang-tidy -quiet -j "$(nproc)" -p build/tidy '/(src/craze|apps)/'
 }
 
 steps=("$@")
