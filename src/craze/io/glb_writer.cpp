@@ -83,7 +83,7 @@ class GlbWriter {
     root["nodes"] = nodes_;
     root["meshes"] = meshes_;
     root["materials"] = materials_.json();
-    if (options_.animation) root["animations"] = {animation()};
+    if (options_.animation) root["animations"] = ordered_json::array({animation()});
     return buffer_.pack(root);
   }
 
