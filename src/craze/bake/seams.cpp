@@ -29,7 +29,8 @@ class SegmentGrid {
     for (const std::int32_t h : halfedges) total += vector(h).norm();
     size_ = halfedges.empty() ? 1 : std::max(total / static_cast<double>(halfedges.size()), 1e-300);
     for (std::size_t i = 0; i < halfedges.size(); ++i) {
-      const Vec3 a = mesh.position(mesh.from(halfedges[i])), d = vector(halfedges[i]);
+      const Vec3& a = mesh.position(mesh.from(halfedges[i]));
+      const Vec3 d = vector(halfedges[i]);
       // Half a cell per step, so that with its neighbours no cell on the way is missed.
       const int steps = 1 + static_cast<int>(std::min(2 * d.norm() / size_, 1e6));
       for (int s = 0; s <= steps; ++s) {

@@ -43,6 +43,7 @@ std::vector<MeshPart> mesh_parts(const SurfaceMesh& mesh, const std::string& att
     faces_of[values->values[f]].push_back(static_cast<std::int32_t>(f));
   }
   std::vector<MeshPart> parts;
+  parts.reserve(faces_of.size());
   for (auto& [value, faces] : faces_of) {
     parts.push_back({fmt::format("{}_{:g}", attribute, value), std::move(faces)});
   }

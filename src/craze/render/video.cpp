@@ -18,8 +18,6 @@
 
 #include "craze/base/error.h"
 
-extern char** environ;
-
 namespace craze::render {
 
 namespace fs = std::filesystem;
@@ -30,6 +28,7 @@ namespace {
 /// Ctrl-C ends the run and not the video. Returns 0 or the system's error.
 int start(std::vector<std::string> arguments, int input, int messages, pid_t& process) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t files;

@@ -62,6 +62,7 @@ class Drawing {
     top_ = top + panel_height / 2;
     const TriangleMesh& m = panel.mesh;
     std::vector<Vec2> at;
+    at.reserve(m.vertex_count());
     for (std::int32_t v = 0; v < m.vertex_count(); ++v) at.push_back(shown(m, v));
     std::string edges, cracks;
     for (std::int32_t h = 0; h < 3 * m.face_count(); ++h) {
