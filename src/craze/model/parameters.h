@@ -65,6 +65,7 @@ struct LayerParameters {
   double spacing = 0;           ///< asked-for spacing of the cracks
   double relative_spacing = 0;  ///< the spacing as part of the object's diagonal
   double screening_length = 0;  ///< ℓ; 0: no adhesion
+  std::int64_t rounds = 0;      ///< times ℓ is put right by the spacing that came out
   std::string attribute;        ///< of the input, multiplies the spacing; 0: no crack, ever
   std::string texture;          ///< grey image in UV space, multiplied in too
 };

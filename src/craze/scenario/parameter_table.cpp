@@ -143,6 +143,9 @@ std::vector<Parameter> make_table() {
            {.help = "over which a crack unloads its surroundings; 0: no adhesion, as in the paper",
             .symbol = "ℓ",
             .unit = "length"})
+      .add("rounds", &LayerParameters::rounds, count,
+           {.help = "times at most that all is cracked anew with the screening length put right by "
+                    "the spacing that came out, until it is within 5 % of what was asked for"})
       .add("attribute", &LayerParameters::attribute, any,
            {.help = "name of a scalar attribute of the input that multiplies the spacing; 0: no "
                     "crack, ever"})

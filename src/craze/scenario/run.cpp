@@ -7,11 +7,9 @@
 #include "craze/base/error.h"
 #include "craze/io/atomic_file.h"
 #include "craze/mesh/repair.h"
-#include "craze/model/screening.h"
-#include "craze/scenario/cycles.h"
 #include "craze/scenario/load_surface.h"
 #include "craze/scenario/outputs.h"
-#include "craze/scenario/simulation_input.h"
+#include "craze/scenario/spacing_rounds.h"
 
 namespace craze {
 
@@ -61,18 +59,13 @@ RunResult run(const RunRequest& request, const Context& context) {
   report.time.load = phase.lap();
 
   context.report({"prepare", -1, 0, static_cast<std::int64_t>(repaired.triangles.size())});
-  report.recipe.simulation =
-      resolve_lengths(report.recipe.simulation, bounding_diagonal(repaired.positions));
-  const SimulationSurface prepared =
-      simulation_surface(std::move(repaired), report.recipe, context);
-  const SurfaceMesh& surface = prepared.mesh;
-  report.simulation = count_mesh(surface);
-  const SimulationParameters& parameters = report.recipe.simulation;
-  report.time.prepare = phase.lap();
-
-  const LastCycle last = request.max_cracks == 0 ? before_first_crack(prepared, parameters, context)
-                                                 : run_cycles(prepared, parameters, context);
+  const SpacedRun cracked = request.max_cracks == 0
+                                ? uncracked(std::move(repaired), report.recipe, context)
+                                : run_to_spacing(std::move(repaired), report.recipe, context);
+  const LastCycle& last = cracked.last;
   const Simulation& simulation = *last.simulation;
+  report.recipe = cracked.recipe;
+  report.simulation = count_mesh(cracked.surface.mesh);
   report.stop_reason = to_string(last.reason);
   if (last.unstressed) {
     // In equilibrium from the start: not wrong, but seldom what was wanted.
@@ -81,14 +74,20 @@ RunResult run(const RunRequest& request, const Context& context) {
         "painted stress that is not");
   }
   report.load = simulation.load();
-  report.time.prepare += last.prepare;
+  report.time.prepare = cracked.prepare + last.prepare;
   report.time.relax = last.times.relax;
   report.time.separation = last.times.separation;
   report.time.crack = last.times.crack;
   phase.lap();
 
   context.report({"write", -1, simulation.events(), simulation.mesh().face_count(), report.load});
-  write_outputs(request, surface, simulation, report, context);
+  write_outputs(request, cracked.surface.mesh, simulation, report, context);
+  if (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load) {
+    if (const auto warning = spacing_warning(report.recipe.simulation.layer, simulation.mesh(),
+                                             report.cracks.fragments)) {
+      report.warnings.push_back(*warning);
+    }
+  }
   report.time.write = phase.lap();
   report.time.total = total.lap();
   RunResult result{report_to_json(report), last.reason == StopReason::cancelled};

@@ -1,0 +1,40 @@
+// layer.rounds: the spacing asked for, by cracking anew with what was learnt from the last pattern.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "craze/scenario/cycles.h"
+
+namespace craze {
+
+/// A run, and what it was made with.
+struct SpacedRun {
+  Recipe recipe;  ///< its lengths resolved
+  SimulationSurface surface;
+  LastCycle last;
+  double prepare = 0;  ///< seconds spent on surfaces, of all rounds together
+};
+
+/// The run before its first crack.
+SpacedRun uncracked(SurfaceMesh repaired, const Recipe& recipe, const Context& context);
+
+/// Cracks a repaired surface (run_cycles). The screening length that `layer.spacing` stands for is
+/// measured on the plane; where fragments bend around what is thinner than they are, the spacing
+/// comes out smaller. Up to layer.rounds times more, ℓ is therefore multiplied by (asked for / come
+/// out)^(1/p), p = d ln spacing / d ln ℓ as the last two rounds had it (at first 1, and from 0.4
+/// to 1.2), until mean_spacing is within 5 % of what was asked for. Not where the spacing is
+/// painted, nor where ℓ was given, the run was stopped or the layer is whole.
+SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Context& context);
+
+/// Mean spacing of a pattern, length: √(area / fragments), those at borders included, of which an
+/// open surface has few others where the spacing is a good part of its size.
+double mean_spacing(const TriangleMesh& cut_mesh, std::int64_t fragments);
+
+/// What the report says of a finished run whose spacing is off by over 15 %, and by more than
+/// chance does with so many fragments. None where no spacing was asked for or it is painted.
+std::optional<std::string> spacing_warning(const LayerParameters& layer,
+                                           const TriangleMesh& cut_mesh, std::int64_t fragments);
+
+}  // namespace craze
