@@ -158,7 +158,8 @@ TEST_F(Terminal, AFullDiskIsOneLineWhateverIsWritten) {
                                      {"--picture", "p.png"},
                                      {"--report", "r.json"}}) {
     fs::create_symlink("/dev/full", file(name));
-    const CommandResult result = run(with(short_run, {option, name}));
+    const CommandResult result =
+        run(with(short_run, {option, name, "--width", "160", "--height", "120"}));
     EXPECT_EQ(result.code, 1) << name;
     EXPECT_EQ(result.err.find("craze: error: "), 0u) << name;
     EXPECT_NE(result.err.find("No space left on device"), std::string::npos) << result.err;

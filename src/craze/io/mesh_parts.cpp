@@ -11,16 +11,6 @@ namespace craze {
 
 namespace {
 
-Attribute pick(const Attribute& source, const std::vector<std::int32_t>& from) {
-  Attribute result{source.name, source.components, {}};
-  result.values.reserve(from.size() * static_cast<std::size_t>(source.components));
-  for (const std::int32_t i : from) {
-    const auto begin = source.values.begin() + static_cast<std::ptrdiff_t>(i) * source.components;
-    result.values.insert(result.values.end(), begin, begin + source.components);
-  }
-  return result;
-}
-
 template <class T>
 std::vector<T> pick(const std::vector<T>& source, const std::vector<std::int32_t>& from) {
   std::vector<T> result;

@@ -37,6 +37,9 @@ struct SurfaceMesh {
 /// The attribute of that name, or nullptr.
 const Attribute* find_attribute(const std::vector<Attribute>& attributes, const std::string& name);
 
+/// The attribute of the elements `from`, in that order; an element may come more than once.
+Attribute pick(const Attribute& source, const std::vector<std::int32_t>& from);
+
 /// Lines on or near a surface, for files and pictures: polylines broken into edges.
 struct LineSet {
   std::vector<Vec3> points;                        ///< #P

@@ -6,16 +6,6 @@ namespace craze {
 
 namespace {
 
-Attribute pick(const Attribute& source, const std::vector<std::int32_t>& from) {
-  Attribute result{source.name, source.components, {}};
-  result.values.reserve(from.size() * static_cast<std::size_t>(source.components));
-  for (const std::int32_t i : from) {
-    const auto begin = source.values.begin() + static_cast<std::ptrdiff_t>(i) * source.components;
-    result.values.insert(result.values.end(), begin, begin + source.components);
-  }
-  return result;
-}
-
 /// Per face the halfedge of the cut mesh that lends a corner its UV: its own, or for a wall one at
 /// the surface vertex the corner belongs to.
 std::int32_t corner_source(const TriangleMesh& cut, const OpenedMesh& opened, std::size_t face,
