@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "craze/mesh/components.h"
@@ -25,6 +26,10 @@ bool is_painted(const LayerParameters& layer) {
   return !layer.attribute.empty() || !layer.texture.empty();
 }
 
+bool is_cut_short(StopReason reason) {
+  return reason == StopReason::cancelled || reason == StopReason::max_cracks;
+}
+
 /// A run whose lengths are resolved for this object, before anything is done.
 SpacedRun resolved(const Recipe& recipe, double diagonal) {
   SpacedRun run;
@@ -36,18 +41,47 @@ SpacedRun resolved(const Recipe& recipe, double diagonal) {
 void prepare(SpacedRun& run, SurfaceMesh repaired, const Context& context) {
   const auto begin = std::chrono::steady_clock::now();
   run.surface = simulation_surface(std::move(repaired), run.recipe, context);
-  run.prepare += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  run.prepare = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-void crack(SpacedRun& run, const Context& context) {
-  LastCycle before = std::move(run.last);
-  before.simulation.reset();
-  run.last = run_cycles(run.surface, run.recipe.simulation, context);
-  run.last.prepare += before.prepare;
-  run.last.times.relax += before.times.relax;
-  run.last.times.separation += before.times.separation;
-  run.last.times.crack += before.times.crack;
+void add_times(SpacedRun& run, const SpacedRun& other) {
+  run.prepare += other.prepare;
+  run.last.prepare += other.last.prepare;
+  run.last.times.relax += other.last.times.relax;
+  run.last.times.separation += other.last.times.separation;
+  run.last.times.crack += other.last.times.crack;
 }
+
+/// Looks for the ℓ at which the spacing over that asked for, a ratio, is 1: along the power law
+/// through the two tries nearest on either side of it, else through the last two.
+class LengthSearch {
+ public:
+  double next(double length, double ratio) {
+    const Try now{length, ratio};
+    if (ratio < 1 && (!below_ || length > below_->length)) below_ = now;
+    if (ratio > 1 && (!above_ || length < above_->length)) above_ = now;
+    double exponent = 1;
+    if (below_ && above_ && below_->length < above_->length) {
+      return below_->length * std::pow(below_->ratio, -1 / slope(*below_, *above_));
+    }
+    if (last_ && last_->length != length) {
+      exponent = std::clamp(slope(*last_, now), least_exponent, largest_exponent);
+    }
+    last_ = now;
+    return length * std::pow(ratio, -1 / exponent);
+  }
+
+ private:
+  struct Try {
+    double length, ratio;
+  };
+
+  static double slope(const Try& a, const Try& b) {
+    return std::log(b.ratio / a.ratio) / std::log(b.length / a.length);
+  }
+
+  std::optional<Try> below_, above_, last_;
+};
 
 }  // namespace
 
@@ -61,31 +95,39 @@ SpacedRun uncracked(SurfaceMesh repaired, const Recipe& recipe, const Context& c
 SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Context& context) {
   const double diagonal = bounding_diagonal(repaired.positions);
   SpacedRun run = resolved(recipe, diagonal);
-  const LayerParameters& layer = run.recipe.simulation.layer;
-  const bool asked = layer.spacing > 0 && recipe.simulation.layer.screening_length == 0;
-  const std::int64_t rounds = asked && !is_painted(layer) ? layer.rounds : 0;
-  double exponent = 1, last_length = 0, last_ratio = 0;
+  const double spacing = run.recipe.simulation.layer.spacing;
+  const bool asked = spacing > 0 && recipe.simulation.layer.screening_length == 0 &&
+                     !is_painted(recipe.simulation.layer);
+  const std::int64_t rounds = asked ? recipe.simulation.layer.rounds : 0;
+  LengthSearch search;
+  std::optional<SpacedRun> best;
+  double best_error = std::numeric_limits<double>::infinity();
   for (std::int64_t round = 0;; ++round) {
     prepare(run, round < rounds ? repaired : std::move(repaired), context);
-    crack(run, context);
-    if (round == rounds || run.last.reason == StopReason::cancelled ||
-        run.last.reason == StopReason::max_cracks) {
-      return run;
-    }
+    run.last = run_cycles(run.surface, run.recipe.simulation, context);
+    const StopReason reason = run.last.reason;
+    if (rounds == 0 || (round == 0 && is_cut_short(reason))) return run;
     const TriangleMesh& mesh = run.last.simulation->mesh();
-    const double ratio = mean_spacing(mesh, find_components(mesh).count) / layer.spacing;
-    if (std::abs(ratio - 1) <= close_enough) return run;
-    const double length = layer.screening_length;
-    if (round > 0 && length != last_length) {
-      exponent = std::clamp(std::log(ratio / last_ratio) / std::log(length / last_length),
-                            least_exponent, largest_exponent);
+    const double ratio = mean_spacing(mesh, find_components(mesh).count) / spacing;
+    const double length = run.recipe.simulation.layer.screening_length;
+    const double error = is_cut_short(reason) ? best_error : std::abs(std::log(ratio));
+    if (error < best_error) {
+      best_error = error;
+      if (best) add_times(run, *best);
+      best = std::move(run);
+    } else {
+      add_times(*best, run);
     }
-    last_length = length;
-    last_ratio = ratio;
+    if (is_cut_short(reason)) best->last.reason = reason;
+    if (round == rounds || is_cut_short(reason) || best_error <= close_enough) {
+      return std::move(*best);
+    }
     SimulationParameters next = recipe.simulation;
-    next.layer.spacing = layer.spacing;
+    next.layer.spacing = spacing;
     next.layer.screening_length =
-        std::min(length * std::pow(ratio, -1 / exponent), longest_screening * diagonal);
+        std::min(search.next(length, ratio), longest_screening * diagonal);
+    run = {};
+    run.recipe = recipe;
     run.recipe.simulation = resolve_lengths(next, diagonal);
   }
 }

@@ -14,7 +14,7 @@ struct SpacedRun {
   Recipe recipe;  ///< its lengths resolved
   SimulationSurface surface;
   LastCycle last;
-  double prepare = 0;  ///< seconds spent on surfaces, of all rounds together
+  double prepare = 0;  ///< seconds spent on the surface, of all rounds together
 };
 
 /// The run before its first crack.
@@ -22,10 +22,10 @@ SpacedRun uncracked(SurfaceMesh repaired, const Recipe& recipe, const Context& c
 
 /// Cracks a repaired surface (run_cycles). The screening length that `layer.spacing` stands for is
 /// measured on the plane; where fragments bend around what is thinner than they are, the spacing
-/// comes out smaller. Up to layer.rounds times more, ℓ is therefore multiplied by (asked for / come
-/// out)^(1/p), p = d ln spacing / d ln ℓ as the last two rounds had it (at first 1, and from 0.4
-/// to 1.2), until mean_spacing is within 5 % of what was asked for. Not where the spacing is
-/// painted, nor where ℓ was given, the run was stopped or the layer is whole.
+/// comes out smaller. Up to layer.rounds times more, all is therefore cracked anew with the ℓ at
+/// which the rounds so far suggest the right spacing, until mean_spacing is within 5 % of what was
+/// asked for. Returns the round that came nearest, with the seconds of all. No more rounds where
+/// the spacing is painted, where ℓ was given, and when a run is stopped.
 SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Context& context);
 
 /// Mean spacing of a pattern, length: √(area / fragments), those at borders included, of which an
