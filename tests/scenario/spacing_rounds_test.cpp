@@ -49,6 +49,16 @@ TEST(SpacingRounds, AreNoneWhereTheScreeningLengthIsGiven) {
   EXPECT_EQ(run.recipe.simulation.layer.screening_length, 1);
 }
 
+TEST(SpacingRounds, DoNotChaseASpacingThatTheLoadIsTooSmallFor) {
+  Recipe recipe = coarse_glaze(3);
+  recipe.simulation.evolution.max_load = 0.5;
+  const SpacedRun run = run_to_spacing(make_shape("torus?n=20"), recipe, {});
+  recipe.simulation.layer.rounds = 0;
+  const SpacedRun once = run_to_spacing(make_shape("torus?n=20"), recipe, {});
+  EXPECT_EQ(run.last.simulation->events(), 0);
+  EXPECT_EQ(run.surface.mesh.triangles.size(), once.surface.mesh.triangles.size());
+}
+
 TEST(SpacingRounds, AreNoneWhereTheSpacingIsPainted) {
   Recipe recipe = coarse_glaze(0);
   SurfaceMesh torus = make_shape("torus?n=20");

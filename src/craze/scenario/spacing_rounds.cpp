@@ -19,8 +19,9 @@ constexpr double close_enough = 0.05;
 constexpr double worth_a_warning = 0.15;
 constexpr double spread_of_one = 0.3;  // of a fragment's root area over the mean, about
 constexpr double least_exponent = 0.4, largest_exponent = 1.2;
-// Of the object's diagonal: with a longer ℓ no pattern changes any more.
-constexpr double longest_screening = 2;
+// Of the object's diagonal: with a longer ℓ no pattern changes any more. Of the ℓ first tried:
+// where the spacing is so much too wide, a load too small to close the pattern is what keeps it so.
+constexpr double longest_screening = 2, shortest_screening = 0.5;
 
 bool is_painted(const LayerParameters& layer) {
   return !layer.attribute.empty() || !layer.texture.empty();
@@ -60,10 +61,10 @@ class LengthSearch {
     const Try now{length, ratio};
     if (ratio < 1 && (!below_ || length > below_->length)) below_ = now;
     if (ratio > 1 && (!above_ || length < above_->length)) above_ = now;
-    double exponent = 1;
     if (below_ && above_ && below_->length < above_->length) {
       return below_->length * std::pow(below_->ratio, -1 / slope(*below_, *above_));
     }
+    double exponent = 1;
     if (last_ && last_->length != length) {
       exponent = std::clamp(slope(*last_, now), least_exponent, largest_exponent);
     }
@@ -99,6 +100,7 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Conte
   const bool asked = spacing > 0 && recipe.simulation.layer.screening_length == 0 &&
                      !is_painted(recipe.simulation.layer);
   const std::int64_t rounds = asked ? recipe.simulation.layer.rounds : 0;
+  const double first_length = run.recipe.simulation.layer.screening_length;
   LengthSearch search;
   std::optional<SpacedRun> best;
   double best_error = std::numeric_limits<double>::infinity();
@@ -125,7 +127,8 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Conte
     SimulationParameters next = recipe.simulation;
     next.layer.spacing = spacing;
     next.layer.screening_length =
-        std::min(search.next(length, ratio), longest_screening * diagonal);
+        std::max(std::min(search.next(length, ratio), longest_screening * diagonal),
+                 shortest_screening * first_length);
     run = {};
     run.recipe = recipe;
     run.recipe.simulation = resolve_lengths(next, diagonal);
