@@ -100,15 +100,20 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Conte
   const bool asked = spacing > 0 && recipe.simulation.layer.screening_length == 0 &&
                      !is_painted(recipe.simulation.layer);
   const std::int64_t rounds = asked ? recipe.simulation.layer.rounds : 0;
+  if (rounds == 0) {
+    prepare(run, std::move(repaired), context);
+    run.last = run_cycles(run.surface, run.recipe.simulation, context);
+    return run;
+  }
   const double first_length = run.recipe.simulation.layer.screening_length;
   LengthSearch search;
   std::optional<SpacedRun> best;
   double best_error = std::numeric_limits<double>::infinity();
   for (std::int64_t round = 0;; ++round) {
-    prepare(run, round < rounds ? repaired : std::move(repaired), context);
+    prepare(run, repaired, context);
     run.last = run_cycles(run.surface, run.recipe.simulation, context);
     const StopReason reason = run.last.reason;
-    if (rounds == 0 || (round == 0 && is_cut_short(reason))) return run;
+    if (round == 0 && is_cut_short(reason)) return run;
     const TriangleMesh& mesh = run.last.simulation->mesh();
     const double ratio = mean_spacing(mesh, find_components(mesh).count) / spacing;
     const double length = run.recipe.simulation.layer.screening_length;
