@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "temporary_folder.h"
+
 namespace craze {
 
 inline std::string read_text(const std::filesystem::path& path) {
@@ -31,15 +33,7 @@ struct CommandResult {
 /// A test with a folder of its own, in which the command runs.
 class CommandTest : public testing::Test {
  protected:
-  CommandTest() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "craze_test_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-    std::filesystem::create_directory(folder_ / "run");
-  }
-  ~CommandTest() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
+  CommandTest() { std::filesystem::create_directory(folder_ / "run"); }
 
   std::filesystem::path file(const std::string& name) const { return folder_ / "run" / name; }
 
@@ -80,7 +74,7 @@ class CommandTest : public testing::Test {
     EXPECT_TRUE(std::filesystem::is_empty(folder_ / "run"));
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace craze

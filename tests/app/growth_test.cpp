@@ -138,7 +138,7 @@ TEST_F(Growth, WhatFfmpegSaysIsPassedOnAndNothingIsLeft) {
 
 TEST_F(Growth, WithoutFfmpegTheErrorComesFirstAndSaysWhatToDo) {
   path_ = std::getenv("PATH");
-  setenv("PATH", folder_.c_str(), 1);
+  setenv("PATH", folder_.path().c_str(), 1);
   expect_error({"crack", "missing.obj", "--video", "v.mp4"}, 1, "ffmpeg is not installed");
 }
 

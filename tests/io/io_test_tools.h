@@ -1,4 +1,4 @@
-// Meshes, folders and error messages for the tests of io.
+// Meshes and error messages for the tests of io.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,32 +8,9 @@
 
 #include "craze/base/error.h"
 #include "craze/mesh/surface_mesh.h"
+#include "temporary_folder.h"
 
 namespace craze {
-
-/// A folder that is gone when the test ends.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "craze-io-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::filesystem::permissions(path_, std::filesystem::perms::owner_all);
-    std::filesystem::remove_all(path_);
-  }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-  std::size_t entries() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The message of the Error(kind) that `run` throws; fails the test where it throws none.
 template <class Run>

@@ -10,6 +10,7 @@
 #include "craze/scenario/figure_run.h"
 #include "craze/scenario/figure_table.h"
 #include "craze/scenario/snapping_diagram.h"
+#include "temporary_folder.h"
 
 namespace craze {
 namespace {
@@ -77,15 +78,9 @@ TEST(Figures, TheRecipesHoldWhatThePaperStates) {
 class FigureFolder : public testing::Test {
  protected:
   FigureFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "craze_test_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
     request_.folder = (folder_ / "new").string();
     request_.size = 64;
     request_.settings = {"evolution.max_cracks=2"};
-  }
-  ~FigureFolder() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
   }
   void expect_files(const FigureResult& result) const {
     for (const FigurePart& part : result.parts) {
@@ -95,7 +90,7 @@ class FigureFolder : public testing::Test {
     }
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   FigureRequest request_;
 };
 
@@ -116,7 +111,7 @@ TEST_F(FigureFolder, AFigureLeavesItsPicturesAndReportAndSaysHowItWasMade) {
 }
 
 TEST_F(FigureFolder, TheUsersMeshIsTakenAndAShapeStandsInWhereItIsMissing) {
-  request_.meshes = folder_.string();
+  request_.meshes = folder_.path().string();
   std::ofstream(folder_ / "horse_30k.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   request_.settings = {"evolution.max_cracks=1", "layer.relative_spacing=0"};
   const FigureResult mine = make_figure(find_figure("horse"), request_, {});

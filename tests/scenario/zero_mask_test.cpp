@@ -2,10 +2,9 @@
 // one that was painted.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "craze/render/png.h"
 #include "scenario/claims.h"
+#include "temporary_folder.h"
 
 namespace craze {
 namespace {
@@ -25,22 +24,16 @@ SurfaceMesh painted_plate() {
 class MaskFile {
  public:
   MaskFile() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "craze_test_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
     render::Image image{10, 1, {}};
     for (int x = 0; x < image.width; ++x) {
       image.rgb.insert(image.rgb.end(), 3, (x + 0.5) / image.width - 0.5 < zero_left_of ? 0 : 200);
     }
     render::write_png(path(), image);
   }
-  ~MaskFile() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
   std::string path() const { return (folder_ / "mask.png").string(); }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 Recipe recipe_of(Engine engine, Criterion criterion) {
