@@ -149,8 +149,8 @@ def spacing(shape, source):
             parts.append(f"{100 * part:.0f} %: {number(mean, error)}")
             good = good and abs(mean - 1) <= 0.15
         return "; ".join(parts), good
-    row(f"spacing measured over asked, {shape}, in up to four more rounds", "1 ± 0.15 at 2, 5, 10, 20 % of the diagonal",
-        SEEDS)(measure)
+    row(f"spacing measured over asked, {shape}, in up to four more rounds",
+        "1 ± 0.15 at 2, 5, 10, 20 % of the diagonal", SEEDS)(measure)
 
 
 for shape, source in (("plate", "shape:plate?n=60&jitter=0.3"), ("sphere", "shape:sphere"),

@@ -11,8 +11,8 @@ namespace craze {
 
 namespace {
 
-constexpr double seam_tolerance =
-    1e-6;  // of the length wanted: how straight a seam is to be thinned
+// Of the length wanted: how straight a seam is to be thinned.
+constexpr double seam_tolerance = 1e-6;
 
 struct LongEdge {
   double ratio;  // of its length to the one wanted
