@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -16,12 +17,13 @@ struct Arrival {
   double distance;  ///< at least this far from any point of the face
   std::int32_t face;
   std::int32_t entry;    ///< halfedge of `face` it came in by; −1 at the source
+  std::int64_t number;   ///< of arrivals, in the order in which they were sent
   std::int32_t segment;  ///< index into the pool
 };
 
 struct Later {
   bool operator()(const Arrival& x, const Arrival& y) const {
-    return std::tie(x.distance, x.face, x.segment) > std::tie(y.distance, y.face, y.segment);
+    return std::tie(x.distance, x.face, x.number) > std::tie(y.distance, y.face, y.number);
   }
 };
 
@@ -35,45 +37,60 @@ Vec3 into_face(const TriangleMesh& mesh, std::int32_t h, const Vec3& along) {
 
 class Propagation {
  public:
-  Propagation(const TriangleMesh& mesh, double max_distance)
+  Propagation(const TriangleMesh& mesh, double max_distance, const CrackVisit& visit)
       : mesh_(mesh),
         max_distance_(max_distance),
+        visit_(visit),
         covered_(mesh.face_count(), std::numeric_limits<double>::infinity()),
         last_(mesh.face_count(), -1) {}
 
   void start(std::int32_t h) {
-    pool_.push_back({mesh_.position(mesh_.from(h)), mesh_.position(mesh_.to(h)), h});
-    queue_.push({0, TriangleMesh::face_of(h), -1, static_cast<std::int32_t>(pool_.size()) - 1});
+    const NearbyCrack source{mesh_.position(mesh_.from(h)), mesh_.position(mesh_.to(h)), h};
+    send(0, TriangleMesh::face_of(h), -1, source);
   }
 
-  NearbyCracks run() {
+  void run() {
     while (!queue_.empty()) {
       const Arrival arrival = queue_.top();
       queue_.pop();
-      if (arrival.distance <= covered_[arrival.face] && !is_known(arrival)) accept(arrival);
+      const NearbyCrack segment = pool_[arrival.segment];
+      free_.push_back(arrival.segment);
+      if (arrival.distance <= covered_[arrival.face] && !is_known(arrival.face, segment.halfedge)) {
+        accept(arrival, segment);
+      }
     }
-    return gather();
   }
 
  private:
   struct Accepted {
-    std::int32_t segment;
+    std::int32_t halfedge;  ///< of the crack
     std::int32_t previous;  ///< the one accepted before on the same face
   };
 
-  bool is_known(const Arrival& arrival) const {
-    const std::int32_t h = pool_[arrival.segment].halfedge;
-    for (std::int32_t i = last_[arrival.face]; i >= 0; i = accepted_[i].previous) {
-      if (pool_[accepted_[i].segment].halfedge == h) return true;
+  void send(double distance, std::int32_t face, std::int32_t entry, const NearbyCrack& segment) {
+    auto slot = static_cast<std::int32_t>(pool_.size());
+    if (free_.empty()) {
+      pool_.push_back(segment);
+    } else {
+      slot = free_.back();
+      free_.pop_back();
+      pool_[slot] = segment;
+    }
+    queue_.push({distance, face, entry, sent_++, slot});
+  }
+
+  bool is_known(std::int32_t face, std::int32_t halfedge) const {
+    for (std::int32_t i = last_[face]; i >= 0; i = accepted_[i].previous) {
+      if (accepted_[i].halfedge == halfedge) return true;
     }
     return false;
   }
 
-  void accept(const Arrival& arrival) {
+  void accept(const Arrival& arrival, const NearbyCrack& segment) {
     const std::int32_t f = arrival.face;
-    const NearbyCrack segment = pool_[arrival.segment];
-    accepted_.push_back({arrival.segment, last_[f]});
+    accepted_.push_back({segment.halfedge, last_[f]});
     last_[f] = static_cast<std::int32_t>(accepted_.size()) - 1;
+    visit_(f, segment);
 
     // The distance to a segment is convex, so over the face it is largest at a corner.
     double largest = 0;
@@ -100,30 +117,15 @@ class Propagation {
       const Vec3 d = p - origin;
       return origin + d.dot(along) * along + d.dot(in) * out;
     };
-    pool_.push_back({unfold(segment.a), unfold(segment.b), segment.halfedge});
-    queue_.push({distance, g, o, static_cast<std::int32_t>(pool_.size()) - 1});
-  }
-
-  NearbyCracks gather() const {
-    NearbyCracks result;
-    result.max_distance = max_distance_;
-    result.first.reserve(mesh_.face_count() + 1);
-    result.segments.reserve(accepted_.size());
-    result.first.push_back(0);
-    for (std::int32_t f = 0; f < mesh_.face_count(); ++f) {
-      for (std::int32_t i = last_[f]; i >= 0; i = accepted_[i].previous) {
-        result.segments.push_back(pool_[accepted_[i].segment]);
-      }
-      // Nearest first.
-      std::reverse(result.segments.begin() + result.first.back(), result.segments.end());
-      result.first.push_back(static_cast<std::int32_t>(result.segments.size()));
-    }
-    return result;
+    send(distance, g, o, {unfold(segment.a), unfold(segment.b), segment.halfedge});
   }
 
   const TriangleMesh& mesh_;
   double max_distance_;
-  std::vector<NearbyCrack> pool_;
+  const CrackVisit& visit_;
+  std::vector<NearbyCrack> pool_;   // of what is on its way
+  std::vector<std::int32_t> free_;  // slots of the pool
+  std::int64_t sent_ = 0;
   std::vector<Accepted> accepted_;
   std::vector<double> covered_;     // per face: no point of it is farther from a crack than this
   std::vector<std::int32_t> last_;  // per face: index into accepted_
@@ -140,12 +142,32 @@ std::vector<std::int32_t> crack_sides(const TriangleMesh& mesh) {
   return sides;
 }
 
+void carry_cracks(const TriangleMesh& mesh, const std::vector<std::int32_t>& sides,
+                  double max_distance, const CrackVisit& visit) {
+  if (sides.empty()) return;
+  Propagation propagation(mesh, max_distance, visit);
+  for (const std::int32_t h : sides) propagation.start(h);
+  propagation.run();
+}
+
 NearbyCracks nearby_cracks(const TriangleMesh& mesh, const std::vector<std::int32_t>& sides,
                            double max_distance) {
-  if (sides.empty()) return {max_distance, {}, {}};
-  Propagation propagation(mesh, max_distance);
-  for (const std::int32_t h : sides) propagation.start(h);
-  return propagation.run();
+  NearbyCracks result{max_distance, {}, {}};
+  if (sides.empty()) return result;
+  std::vector<std::int32_t> face_of;
+  std::vector<NearbyCrack> found;
+  carry_cracks(mesh, sides, max_distance, [&](std::int32_t face, const NearbyCrack& segment) {
+    face_of.push_back(face);
+    found.push_back(segment);
+  });
+  // Sorted by face; of one face they stay in order, the nearest first.
+  result.first.assign(mesh.face_count() + 1, 0);
+  for (const std::int32_t f : face_of) ++result.first[f + 1];
+  std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+  std::vector<std::int32_t> next(result.first.begin(), result.first.end() - 1);
+  result.segments.resize(found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) result.segments[next[face_of[i]]++] = found[i];
+  return result;
 }
 
 }  // namespace craze

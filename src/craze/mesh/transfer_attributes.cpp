@@ -50,63 +50,84 @@ std::vector<std::vector<std::int32_t>> faces_around_vertices(const SurfaceMesh& 
   return around;
 }
 
-/// The input triangle in which each corner of the cut mesh takes its attributes (3 #F): its face's
-/// source, but for a vertex that has slid the nearest one of those around its anchor.
-std::vector<std::int32_t> sources_of_corners(const SurfaceMesh& surface, const TriangleMesh& cut) {
-  std::vector<std::int32_t> home(cut.vertex_count(), -1);
-  std::vector<std::vector<std::int32_t>> around;  // #V of the surface, made when first wanted
-  for (std::int32_t v = 0; v < cut.vertex_count(); ++v) {
-    if (cut.anchor(v) < 0) continue;
-    if (around.empty()) around = faces_around_vertices(surface);
-    const Vec3& p = cut.position(v);
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::int32_t corner : surface.triangles[cut.anchor(v)]) {
-      for (const std::int32_t f : around[corner]) {
-        const TrianglePoint at = locate_in_triangle(surface, f, p);
-        const Vec3 found = interpolate(
-            at, [&](int c) -> Vec3 { return surface.positions[surface.triangles[f][c]]; });
-        const double distance = (found - p).squaredNorm();
-        // Of faces that are as near, the first: copies of the vertex must agree.
-        if (distance > least || (distance == least && f >= home[v])) continue;
-        least = distance;
-        home[v] = f;
+/// Finds the corners of the cut mesh in the triangles of `surface`.
+class CornerSources {
+ public:
+  CornerSources(const SurfaceMesh& surface, const TriangleMesh& cut)
+      : surface_(surface), cut_(cut) {
+    std::vector<std::vector<std::int32_t>> around;  // #V of the surface, made when first wanted
+    for (std::int32_t v = 0; v < cut.vertex_count(); ++v) {
+      if (cut.anchor(v) < 0) continue;
+      if (around.empty()) {
+        around = faces_around_vertices(surface);
+        home_.assign(cut.vertex_count(), -1);
       }
+      home_[v] = nearest_face(around, surface.triangles[cut.anchor(v)], cut.position(v));
     }
   }
-  std::vector<std::int32_t> sources(3 * static_cast<std::size_t>(cut.face_count()));
-  for (std::int32_t h = 0; h < 3 * cut.face_count(); ++h) {
-    const std::int32_t found = home[cut.from(h)];
-    sources[h] = found >= 0 ? found : cut.source_face(TriangleMesh::face_of(h));
-  }
-  return sources;
-}
 
-std::vector<Vec2> transfer_uvs(const SurfaceMesh& surface, const std::vector<std::int32_t>& sources,
-                               const std::vector<TrianglePoint>& points) {
-  std::vector<Vec2> uvs(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const std::size_t first = 3 * static_cast<std::size_t>(sources[k]);
-    uvs[k] = interpolate(points[k], [&](int c) -> Vec2 { return surface.corner_uvs[first + c]; });
+  /// The triangle in which a corner takes its attributes: its face's source, but for a vertex that
+  /// has slid the nearest one of those around its anchor.
+  std::int32_t triangle(std::int32_t h) const {
+    const std::int32_t found = home_.empty() ? -1 : home_[cut_.from(h)];
+    return found >= 0 ? found : cut_.source_face(TriangleMesh::face_of(h));
+  }
+  TrianglePoint point(std::int32_t h) const {
+    return locate_in_triangle(surface_, triangle(h), cut_.position(cut_.from(h)));
+  }
+
+ private:
+  std::int32_t nearest_face(const std::vector<std::vector<std::int32_t>>& around,
+                            const Triangle& anchor, const Vec3& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    std::int32_t nearest = -1;
+    for (const std::int32_t corner : anchor) {
+      for (const std::int32_t f : around[corner]) {
+        const TrianglePoint at = locate_in_triangle(surface_, f, p);
+        const Vec3 found = interpolate(
+            at, [&](int c) -> Vec3 { return surface_.positions[surface_.triangles[f][c]]; });
+        const double distance = (found - p).squaredNorm();
+        // Of faces that are as near, the first: copies of the vertex must agree.
+        if (distance > least || (distance == least && f >= nearest)) continue;
+        least = distance;
+        nearest = f;
+      }
+    }
+    return nearest;
+  }
+
+  const SurfaceMesh& surface_;
+  const TriangleMesh& cut_;
+  std::vector<std::int32_t> home_;  // #V of the cut mesh; empty: none has slid
+};
+
+std::vector<Vec2> transfer_uvs(const SurfaceMesh& surface, const CornerSources& sources,
+                               std::int32_t corners) {
+  std::vector<Vec2> uvs(corners);
+  for (std::int32_t k = 0; k < corners; ++k) {
+    const std::size_t first = 3 * static_cast<std::size_t>(sources.triangle(k));
+    uvs[k] =
+        interpolate(sources.point(k), [&](int c) -> Vec2 { return surface.corner_uvs[first + c]; });
   }
   return uvs;
 }
 
-std::vector<Vec3> transfer_normals(const SurfaceMesh& surface,
-                                   const std::vector<std::int32_t>& sources,
-                                   const std::vector<TrianglePoint>& points) {
-  std::vector<Vec3> normals(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const std::size_t first = 3 * static_cast<std::size_t>(sources[k]);
+std::vector<Vec3> transfer_normals(const SurfaceMesh& surface, const CornerSources& sources,
+                                   std::int32_t corners) {
+  std::vector<Vec3> normals(corners);
+  for (std::int32_t k = 0; k < corners; ++k) {
+    const std::size_t first = 3 * static_cast<std::size_t>(sources.triangle(k));
+    const TrianglePoint point = sources.point(k);
     const auto value = [&](int c) -> Vec3 { return surface.corner_normals[first + c]; };
-    normals[k] = interpolate(points[k], value);
-    if (points[k].weights[0] == 1) continue;
+    normals[k] = interpolate(point, value);
+    if (point.weights[0] == 1) continue;
     // Opposite normals at a fold cancel: take the nearest corner's.
     const double length = normals[k].norm();
     if (length > snap) {
       normals[k] /= length;
     } else {
-      const auto& w = points[k].weights;
-      normals[k] = value(points[k].corners[std::max_element(w.begin(), w.end()) - w.begin()]);
+      const auto& w = point.weights;
+      normals[k] = value(point.corners[std::max_element(w.begin(), w.end()) - w.begin()]);
     }
   }
   return normals;
@@ -121,13 +142,6 @@ Attribute transfer_face_attribute(const Attribute& source, const TriangleMesh& c
     result.values.insert(result.values.end(), begin, begin + source.components);
   }
   return result;
-}
-
-/// One corner of each vertex of the cut mesh; −1 where it has no face.
-std::vector<std::int32_t> corner_of_each_vertex(const TriangleMesh& cut) {
-  std::vector<std::int32_t> corners(cut.vertex_count());
-  for (std::int32_t v = 0; v < cut.vertex_count(); ++v) corners[v] = cut.first_halfedge(v);
-  return corners;
 }
 
 }  // namespace
@@ -159,25 +173,21 @@ SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& 
   SurfaceMesh result;
   result.positions = cut.positions();
   result.triangles = cut.triangles();
-  const std::vector<std::int32_t> sources = sources_of_corners(surface, cut);
-  std::vector<TrianglePoint> points(3 * result.triangles.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto h = static_cast<std::int32_t>(k);
-    points[k] = locate_in_triangle(surface, sources[k], cut.position(cut.from(h)));
-  }
-  if (!surface.corner_uvs.empty()) result.corner_uvs = transfer_uvs(surface, sources, points);
+  const CornerSources sources(surface, cut);
+  const std::int32_t corners = 3 * cut.face_count();
+  if (!surface.corner_uvs.empty()) result.corner_uvs = transfer_uvs(surface, sources, corners);
   if (!surface.corner_normals.empty()) {
-    result.corner_normals = transfer_normals(surface, sources, points);
+    result.corner_normals = transfer_normals(surface, sources, corners);
   }
 
-  const std::vector<std::int32_t> corner = corner_of_each_vertex(cut);
   // Calls take(v, source vertices, weights) for each vertex of the cut mesh.
   const auto for_each_vertex = [&](auto&& take) {
     for (std::int32_t v = 0; v < cut.vertex_count(); ++v) {
-      if (corner[v] < 0) {
+      const std::int32_t h = cut.first_halfedge(v);
+      if (h < 0) {
         take(v, Triangle{cut.root(v), cut.root(v), cut.root(v)}, at_corner(0));
       } else {
-        take(v, surface.triangles[sources[corner[v]]], points[corner[v]]);
+        take(v, surface.triangles[sources.triangle(h)], sources.point(h));
       }
     }
   };
@@ -210,6 +220,8 @@ SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& 
   result.material_names = surface.material_names;
   const bool has_materials = !surface.face_materials.empty();
   const bool has_sources = !surface.source_faces.empty();
+  result.source_faces.reserve(cut.face_count());
+  if (has_materials) result.face_materials.reserve(cut.face_count());
   for (std::int32_t f = 0; f < cut.face_count(); ++f) {
     const std::int32_t source = cut.source_face(f);
     if (has_materials) result.face_materials.push_back(surface.face_materials[source]);

@@ -37,7 +37,6 @@ void add_nearest_crack(SurfaceMesh& result, const Simulation& simulation,
   const std::vector<double> times = simulation.crack_times();
   const double far = box_diagonal(mesh.positions());
   const std::vector<std::int32_t> sides = crack_sides(mesh);
-  const NearbyCracks cracks = nearby_cracks(mesh, sides, far);
   Attribute distance = make("crack_distance", 1, mesh.vertex_count(), far);
   Attribute time = make("crack_time", 1, mesh.vertex_count(), -1);
   Attribute growth = make("crack_growth", 1, mesh.vertex_count(), -1);
@@ -46,22 +45,20 @@ void add_nearest_crack(SurfaceMesh& result, const Simulation& simulation,
     const auto& [from, to] = schedule.sides[static_cast<std::size_t>(side - sides.begin())];
     return from + nearest_on_segment(p, seen.a, seen.b) * (to - from);
   };
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    const Vec3& p = mesh.position(v);
-    mesh.for_each_outgoing(v, [&](std::int32_t h) {
-      for (const NearbyCrack& seen : cracks.of(TriangleMesh::face_of(h))) {
-        const double d = point_segment_distance(p, seen.a, seen.b);
-        const double t = times[mesh.crack_of(seen.halfedge)];
-        if (d > distance.values[v]) continue;
-        // Of cracks that meet at the vertex, the first that opened.
-        const bool tie = d == distance.values[v] && time.values[v] >= 0;
-        if (!tie || t < time.values[v]) time.values[v] = t;
-        const double came = arrival(seen, p);
-        if (!tie || came < growth.values[v]) growth.values[v] = came;
-        distance.values[v] = d;
-      }
-    });
-  }
+  carry_cracks(mesh, sides, far, [&](std::int32_t f, const NearbyCrack& seen) {
+    const double t = times[mesh.crack_of(seen.halfedge)];
+    for (const std::int32_t v : mesh.triangle(f)) {
+      const Vec3& p = mesh.position(v);
+      const double d = point_segment_distance(p, seen.a, seen.b);
+      if (d > distance.values[v]) continue;
+      // Of cracks that meet at the vertex, the first that opened.
+      const bool tie = d == distance.values[v] && time.values[v] >= 0;
+      if (!tie || t < time.values[v]) time.values[v] = t;
+      const double came = arrival(seen, p);
+      if (!tie || came < growth.values[v]) growth.values[v] = came;
+      distance.values[v] = d;
+    }
+  });
   set_attribute(result.vertex_attributes, std::move(distance));
   set_attribute(result.vertex_attributes, std::move(time));
   set_attribute(result.vertex_attributes, std::move(growth));

@@ -1,11 +1,13 @@
 #include "craze/scenario/outputs.h"
 
 #include <optional>
+#include <utility>
 
 #include "craze/bake/nearby_cracks.h"
 #include "craze/io/write_lines.h"
 #include "craze/io/write_mesh.h"
 #include "craze/mesh/components.h"
+#include "craze/mesh/transfer_attributes.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
 #include "craze/scenario/fields.h"
@@ -19,6 +21,12 @@
 namespace craze {
 
 namespace {
+
+/// Whether anything is written that shows the mesh itself; a report only counts it.
+bool shows_mesh(const RunRequest& request) {
+  return !(request.output.empty() && request.picture.empty() && request.frames.empty() &&
+           request.video.empty());
+}
 
 double total_length(const CrackNetwork& network) {
   double length = 0;
@@ -81,8 +89,9 @@ void write_outputs(const RunRequest& request, const SurfaceMesh& surface,
                    fragments.count};
   const CrackSites sites = crack_sites(mesh);
   const CrackSchedule schedule = crack_schedule(mesh, sites, network);
-  const SurfaceMesh cut = output_surface(surface, simulation, schedule, fragments);
-  const ShownSurface shown = shown_surface(cut, simulation, request.recipe.post);
+  SurfaceMesh cut = shows_mesh(request) ? output_surface(surface, simulation, schedule, fragments)
+                                        : transfer_attributes(surface, mesh);
+  const ShownSurface shown = shown_surface(std::move(cut), simulation, request.recipe.post);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
   write_mesh_and_growth(request, shown, surface, simulation, sites, schedule, context);

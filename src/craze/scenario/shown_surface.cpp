@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <numeric>
+#include <utility>
 
 #include "craze/mesh/transfer_attributes.h"
 #include "craze/render/smooth_normals.h"
@@ -44,9 +45,12 @@ std::vector<std::string> opening_warnings(const OpenedMesh& opened, const Triang
 
 }  // namespace
 
-ShownSurface shown_surface(const SurfaceMesh& cut, const Simulation& simulation,
+ShownSurface shown_surface(SurfaceMesh cut, const Simulation& simulation,
                            const PostParameters& post) {
-  if (post.gap == 0 && post.wall == 0) return {cut, unopened(cut), true, {}};
+  if (post.gap == 0 && post.wall == 0) {
+    OpenedMesh opened = unopened(cut);
+    return {std::move(cut), std::move(opened), true, {}};
+  }
   const TriangleMesh& mesh = simulation.mesh();
   std::vector<Vec3> displacement(static_cast<std::size_t>(mesh.vertex_count()));
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {

@@ -20,7 +20,7 @@ struct ShownSurface {
 };
 
 /// `cut` is what output_surface() made of the simulation.
-ShownSurface shown_surface(const SurfaceMesh& cut, const Simulation& simulation,
+ShownSurface shown_surface(SurfaceMesh cut, const Simulation& simulation,
                            const PostParameters& post);
 
 /// The corner normals to draw it with: those of the mesh where it has some; else the smooth ones of
