@@ -15,7 +15,7 @@ constexpr int rounds = 30;
 /// What is left of a share after each round in which it was too much.
 constexpr double step_back = 0.65;
 /// How much larger a share may be than the neighbour's.
-constexpr double neighbour_ratio = 2;
+constexpr double neighbour_ratio = 3;
 /// Shares below are nothing at all.
 constexpr double nothing = 0.03;
 /// Walls of this share of their depth are no deeper than need be.
