@@ -15,25 +15,31 @@ class FailureQueue {
   void remove(std::int32_t v) { set(v, 0); }
 
   bool empty() const { return heap_.empty(); }
-  std::int32_t top() const { return heap_.front(); }
+  std::int32_t top() const { return heap_.front().node; }
   /// The measure of v; 0 where it is not queued.
   double measure(std::int32_t v) const {
-    return v < static_cast<std::int32_t>(measure_.size()) ? measure_[v] : 0;
+    const std::int32_t slot = v < static_cast<std::int32_t>(slot_.size()) ? slot_[v] : -1;
+    return slot < 0 ? 0 : heap_[slot].measure;
   }
 
  private:
-  bool before(std::int32_t a, std::int32_t b) const {
-    return measure_[a] != measure_[b] ? measure_[a] > measure_[b] : a < b;
-  }
-  void place(std::size_t i, std::int32_t v) {
-    heap_[i] = v;
-    slot_[v] = static_cast<std::int32_t>(i);
+  struct Entry {
+    double measure;
+    std::int32_t node;
+
+    bool before(const Entry& other) const {
+      return measure != other.measure ? measure > other.measure : node < other.node;
+    }
+  };
+
+  void place(std::size_t i, const Entry& entry) {
+    heap_[i] = entry;
+    slot_[entry.node] = static_cast<std::int32_t>(i);
   }
   void sift(std::size_t i);
 
-  std::vector<std::int32_t> heap_;
+  std::vector<Entry> heap_;
   std::vector<std::int32_t> slot_;  // #V, position in the heap, −1: not queued
-  std::vector<double> measure_;     // #V
 };
 
 }  // namespace craze
