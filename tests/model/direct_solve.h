@@ -7,6 +7,7 @@
 
 #include "craze/model/element_response.h"
 #include "craze/model/stress_field.h"
+#include "model/states.h"
 
 namespace craze::test {
 
@@ -68,18 +69,13 @@ inline std::vector<double> solve_directly(StressField& field, const TriangleMesh
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(stiffness);
   const Eigen::VectorXd x = factors.solve(tangential_residual(mesh, field, kappa, fixed));
 
-  std::vector<double> changed(mesh.vertex_count(), 0);
   std::vector<Vec4d> displacements(mesh.vertex_count());
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     const Vec3 u = plane_of(field.normals()[v]) * x.segment<2>(2 * v);
     displacements[v].v = Vec4d::Lanes{u.x(), u.y(), u.z(), 0};
     field.displacements()[v].v += displacements[v].v;
   }
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const Triangle& t = mesh.triangle(f);
-    field.displace(f, t, displacements[t[0]], displacements[t[1]], displacements[t[2]], changed);
-  }
-  return changed;
+  return displace_all(mesh, field, displacements);
 }
 
 }  // namespace craze::test

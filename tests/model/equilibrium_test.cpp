@@ -132,7 +132,9 @@ std::vector<Vec3> exhaustive_sequence(const TriangleMesh& start, const Simulatio
       const Eigenpair pair = largest_eigenpair(separation_tensor(mesh, field, v).tensor);
       if (!(pair.value > 0)) continue;
       std::int32_t shield = -1;
-      const double measure = pair.value / criterion.threshold(mesh, field, v, pair, 1, shield);
+      const double least = criterion.least_threshold(mesh, v, pair.vector, 1);
+      const double measure =
+          pair.value / criterion.threshold(mesh, field, v, pair, 1, least, shield);
       if (measure <= best) continue;
       best = measure;
       next = v;

@@ -85,15 +85,12 @@ TEST(StateAtLoad, SourcesDisplacementsStressAndForcesBelongTogether) {
     for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
       rebuilt.add_stress(mesh, f, load * fields.stress[mesh.source_face(f)]);
     }
-    std::vector<double> drift(mesh.vertex_count());
-    const auto at = [&](std::int32_t v) {
+    std::vector<Vec4d> displacements;
+    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       const Vec3 u = s.displacement(v);
-      return Vec4d{{u.x(), u.y(), u.z(), 0}};
-    };
-    for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-      const Triangle& t = mesh.triangle(f);
-      rebuilt.displace(f, t, at(t[0]), at(t[1]), at(t[2]), drift);
+      displacements.push_back(Vec4d{{u.x(), u.y(), u.z(), 0}});
     }
+    test::displace_all(mesh, rebuilt, displacements);
     double largest = 0, difference = 0;
     for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
       const Sym3 sigma = load * s.field().stress(mesh, f);

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,17 @@ inline StressField field_of(const TriangleMesh& mesh, const std::vector<Sym3>& s
 
 inline StressField field_of(const TriangleMesh& mesh, const Sym3& stress, double cap = no_cap) {
   return field_of(mesh, std::vector<Sym3>(mesh.face_count(), stress), cap);
+}
+
+/// Lets displacements u (#V) strain every face. Returns, per node, by how much its forces changed.
+inline std::vector<double> displace_all(const TriangleMesh& mesh, StressField& field,
+                                        const std::vector<Vec4d>& u) {
+  std::vector<std::int32_t> faces(mesh.face_count()), slot(mesh.vertex_count());
+  std::iota(faces.begin(), faces.end(), 0);
+  std::iota(slot.begin(), slot.end(), 0);
+  std::vector<double> drift(mesh.vertex_count());
+  field.displace(mesh, faces, slot, u, drift);
+  return drift;
 }
 
 /// ½ Σ A |σ|² + ½ κ Σ A_n |u|².

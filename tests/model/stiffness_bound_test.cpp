@@ -17,13 +17,9 @@ double largest_eigenvalue(const TriangleMesh& mesh, const StressField& stressed)
   std::vector<Vec4d> x(mesh.vertex_count());
   for (Vec4d& v : x) v.v = Vec4d::Lanes{random.normal(), random.normal(), random.normal(), 0};
   double value = 0;
-  std::vector<double> drift(mesh.vertex_count());
   for (int i = 0; i < 100; ++i) {
     std::fill(field.forces().begin(), field.forces().end(), Vec4d{});
-    for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-      const Triangle& t = mesh.triangle(f);
-      field.displace(f, t, x[t[0]], x[t[1]], x[t[2]], drift);
-    }
+    test::displace_all(mesh, field, x);
     double squares = 0, before = 0;
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       squares += field.force(v).squaredNorm();

@@ -39,17 +39,12 @@ TEST(VertexSlide, LinearDisplacementsStrainTheSurfaceAsBefore) {
   TriangleMesh mesh = test::mesh_of("plate?n=12&jitter=0.3");
   StressField field = test::field_of(mesh, {1, 2, 0, 0.5, 0, 0});
   // u = (0.3 x + 0.1 y, 0.2 y): the same strain everywhere, so forces on borders alone.
-  std::vector<double> drift(mesh.vertex_count());
   const auto linear = [](const Vec3& p) { return Vec3(0.3 * p.x() + 0.1 * p.y(), 0.2 * p.y(), 0); };
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     const Vec3 u = linear(mesh.position(v));
     field.displacements()[v].v = Vec4d::Lanes{u.x(), u.y(), u.z(), 0};
   }
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const Triangle& t = mesh.triangle(f);
-    const auto& u = field.displacements();
-    field.displace(f, t, u[t[0]], u[t[1]], u[t[2]], drift);
-  }
+  test::displace_all(mesh, field, field.displacements());
   const Sym3 expected{1.3, 2.2, 0, 0.55, 0, 0};
   EXPECT_GT(slide_many(mesh, field, 4), 40);
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {

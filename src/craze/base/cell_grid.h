@@ -9,31 +9,32 @@
 
 namespace craze {
 
-/// Keys for a hash map of points by cube. Points nearer to each other than the cubes' size are in
-/// the same or in neighbouring cubes. Keys of far cubes may collide: compare positions.
+/// Keys for a hash map of points by cube. Keys of far cubes may collide: compare positions.
 class CellGrid {
  public:
   /// size: of a cube, length, > 0.
   explicit CellGrid(double size) : size_(size) {}
 
-  std::uint64_t key(const Vec3& p) const { return key(p, 0, 0, 0); }
+  std::uint64_t key(const Vec3& p) const { return key(index(p.x()), index(p.y()), index(p.z())); }
 
-  /// Calls visit(key) for the cube of p and the 26 around it.
+  /// Calls visit(key) for every cube that has points within `radius` of p, or may have.
   template <class Visit>
-  void for_each_near(const Vec3& p, Visit&& visit) const {
-    for (int dx = -1; dx <= 1; ++dx) {
-      for (int dy = -1; dy <= 1; ++dy) {
-        for (int dz = -1; dz <= 1; ++dz) visit(key(p, dx, dy, dz));
+  void for_each_near(const Vec3& p, double radius, Visit&& visit) const {
+    const std::int64_t x1 = index(p.x() + radius), y1 = index(p.y() + radius),
+                       z1 = index(p.z() + radius);
+    for (std::int64_t x = index(p.x() - radius); x <= x1; ++x) {
+      for (std::int64_t y = index(p.y() - radius); y <= y1; ++y) {
+        for (std::int64_t z = index(p.z() - radius); z <= z1; ++z) visit(key(x, y, z));
       }
     }
   }
 
  private:
-  std::uint64_t key(const Vec3& p, int dx, int dy, int dz) const {
-    const auto index = [&](double x, int d) {
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / size_)) + d);
-    };
-    return hash_bits(index(p.x(), dx) ^ hash_bits(index(p.y(), dy) ^ hash_bits(index(p.z(), dz))));
+  std::int64_t index(double x) const { return static_cast<std::int64_t>(std::floor(x / size_)); }
+  static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
+    return hash_bits(
+        static_cast<std::uint64_t>(x) ^
+        hash_bits(static_cast<std::uint64_t>(y) ^ hash_bits(static_cast<std::uint64_t>(z))));
   }
 
   double size_;

@@ -46,47 +46,66 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
   if (stiffness_.empty()) {
     stiffness_.assemble(mesh, field);
   } else if (static_cast<std::int32_t>(changed.size()) < mesh.vertex_count()) {
-    stiffness_.update(mesh, field, changed);
+    stiffness_.update(mesh, field, changed, threads);
   }
   const LayerState layer{mesh, field, stiffness_, fixed, options_.adhesion, options_.tolerance};
   const double allowed = options_.tolerance * options_.tolerance;
   std::vector<std::int32_t> open;
+  double largest = 0;
   for (const std::int32_t v : changed) {
-    if (squared_residual(layer, v) > 0.25 * allowed) open.push_back(v);
+    const double residual = squared_residual(layer, v);
+    if (!(residual > 0.25 * allowed)) continue;
+    open.push_back(v);
+    largest = std::max(largest, residual);
   }
   double best = std::numeric_limits<double>::infinity();
   int stalled = 0;
   while (!open.empty() && stalled < most_stalled_rounds) {
-    double largest = 0;
-    for (const std::int32_t v : open) largest = std::max(largest, squared_residual(layer, v));
     stalled = largest < 0.5 * best ? 0 : stalled + 1;
     best = std::min(best, largest);
     cluster(mesh, open);
     solve(layer, threads);
     apply(field, layer, threads);
+    parallel_for(threads, patch_count_, 1, [&](std::size_t i, std::size_t) { review(layer, i); });
     open.clear();
+    largest = 0;
     for (std::size_t i = 0; i < patch_count_; ++i) {
-      const PatchSolver& solver = patches_[i].solver;
-      iterations_ += solver.iterations();
+      const Patch& patch = patches_[i];
+      iterations_ += patch.solver.iterations();
       // A triangulated surface has two faces a node.
-      element_updates_ += 2 * solver.node_updates();
-      // Where answers overlap, or single precision was not enough, some more may be left to do.
-      const bool exact = patch_count_ == 1 && solver.converged();
-      for (const std::int32_t v : solver.nodes()) {
-        if (drift_[v] > allowed_[v]) moved.push_back(v);
-        if (!exact && squared_residual(layer, v) > allowed) open.push_back(v);
-      }
-      for (const std::int32_t v : solver.held()) {
-        if (drift_[v] > allowed_[v]) moved.push_back(v);
-      }
+      element_updates_ += 2 * patch.solver.node_updates();
+      moved.insert(moved.end(), patch.moved.begin(), patch.moved.end());
+      open.insert(open.end(), patch.open.begin(), patch.open.end());
+      largest = std::max(largest, patch.largest_residual);
     }
     std::sort(open.begin(), open.end());
     open.erase(std::unique(open.begin(), open.end()), open.end());
   }
 }
 
+void Equilibrium::review(const LayerState& layer, std::size_t index) {
+  Patch& patch = patches_[index];
+  patch.moved.clear();
+  patch.open.clear();
+  patch.largest_residual = 0;
+  const double allowed = options_.tolerance * options_.tolerance;
+  // Where answers overlap, or single precision was not enough, some more may be left to do.
+  const bool exact = patch_count_ == 1 && patch.solver.converged();
+  for (const std::int32_t v : patch.solver.nodes()) {
+    if (drift_[v] > allowed_[v]) patch.moved.push_back(v);
+    if (exact) continue;
+    const double residual = squared_residual(layer, v);
+    if (!(residual > allowed)) continue;
+    patch.open.push_back(v);
+    patch.largest_residual = std::max(patch.largest_residual, residual);
+  }
+  for (const std::int32_t v : patch.solver.held()) {
+    if (drift_[v] > allowed_[v]) patch.moved.push_back(v);
+  }
+}
+
 void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds) {
-  const CellGrid grid(options_.reach);
+  const CellGrid grid(2 * options_.reach);
   std::unordered_map<std::uint64_t, std::vector<std::int32_t>> left;  // seeds, by cell
   for (const std::int32_t v : seeds) left[grid.key(mesh.position(v))].push_back(v);
   seed_patch_.resize(mesh.vertex_count(), -1);
@@ -100,7 +119,7 @@ void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32
     seed_patch_[first] = index;
     for (std::size_t i = 0; i < patch.seeds.size(); ++i) {
       const Vec3& p = mesh.position(patch.seeds[i]);
-      grid.for_each_near(p, [&](std::uint64_t key) {
+      grid.for_each_near(p, options_.reach, [&](std::uint64_t key) {
         const auto cell = left.find(key);
         if (cell == left.end()) return;
         std::vector<std::int32_t>& near = cell->second;
@@ -174,22 +193,16 @@ void Equilibrium::apply(StressField& field, const LayerState& layer, Patch& patc
     field.displacements()[solver.nodes()[i]].v += patch.displacements[i].v;
     slot_[solver.nodes()[i]] = i;
   }
-  const auto displace_own_faces = [&](std::int32_t v) {
-    for (const std::int32_t f : stiffness_.own_faces(v)) {
-      const Triangle& corners = layer.mesh.triangle(f);
-      Vec4d d[3];
-      bool any = false;
-      for (int c = 0; c < 3; ++c) {
-        const std::int32_t i = slot_[corners[c]];
-        if (i < 0) continue;
-        d[c] = patch.displacements[i];
-        any = true;
-      }
-      if (any) field.displace(f, corners, d[0], d[1], d[2], drift_);
+  patch.faces.clear();
+  const auto add_faces = [&](const std::vector<std::int32_t>& nodes) {
+    for (const std::int32_t v : nodes) {
+      const TangentStiffness::Faces own = layer.stiffness.own_faces(v);
+      patch.faces.insert(patch.faces.end(), own.begin(), own.end());
     }
   };
-  for (const std::int32_t v : solver.nodes()) displace_own_faces(v);
-  for (const std::int32_t v : solver.held()) displace_own_faces(v);
+  add_faces(solver.nodes());
+  add_faces(solver.held());
+  field.displace(layer.mesh, patch.faces, slot_, patch.displacements, drift_);
   for (std::int32_t i = 0; i < active; ++i) slot_[solver.nodes()[i]] = -1;
 }
 

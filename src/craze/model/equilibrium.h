@@ -55,12 +55,17 @@ class Equilibrium {
     std::vector<std::int32_t> seeds;
     PatchSolver solver;
     std::vector<Vec4d> displacements;  // of the solver's active nodes
+    std::vector<std::int32_t> faces;   // around the solver's nodes
+    // Nodes whose forces changed more than was allowed; that are not in equilibrium yet.
+    std::vector<std::int32_t> moved, open;
+    double largest_residual = 0;  // of the open ones, squared
   };
 
   void cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds);
   void solve(const LayerState& layer, int threads);
   void apply(StressField& field, const LayerState& layer, int threads);
   void apply(StressField& field, const LayerState& layer, Patch& patch);
+  void review(const LayerState& layer, std::size_t patch);
 
   EquilibriumOptions options_;
   TangentStiffness stiffness_;

@@ -47,10 +47,11 @@ class FailureCriterion {
   double least_threshold(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal,
                          double scale) const;
   /// The v⁺ above which v fails by the crack plane of `failure`, its own v⁺ and n̂⁺; ∞ where it
-  /// cannot. `scale` multiplies toughness and strength. Where a tip's process zone keeps v from
-  /// failing, `shield` becomes that tip, else −1.
+  /// cannot. `scale` multiplies toughness and strength, `least` is the least_threshold(). Where a
+  /// tip's process zone keeps v from failing, `shield` becomes that tip, else −1.
   double threshold(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
-                   const Eigenpair& failure, double scale, std::int32_t& shield) const;
+                   const Eigenpair& failure, double scale, double least,
+                   std::int32_t& shield) const;
   /// A crack at `from` made the new tip `to`.
   void tip_advanced(const TriangleMesh& mesh, std::int32_t from, std::int32_t to);
   /// Keeps the list of tips up to date; call for every node whose star changed. Returns whether v

@@ -17,7 +17,7 @@ constexpr double arrest_cosine = 0.98;
 // Keeps v⁺ over the threshold finite where the surface has no toughness at all.
 constexpr double least_scale = 1e-100;
 // A node is looked at again when its v⁺ may have come this part of the way to the threshold.
-constexpr double unwatched_part = 0.5;
+constexpr double unwatched_part = 0.35;
 
 }  // namespace
 
@@ -126,7 +126,8 @@ Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3&
   if (!exact) return failure;
   failure.exact = true;
   if (!(pair.value > 0)) return failure;
-  failure.threshold = criterion_.threshold(scene.mesh, scene.field, v, pair, scale, failure.shield);
+  failure.threshold = criterion_.threshold(scene.mesh, scene.field, v, pair, scale,
+                                           failure.threshold, failure.shield);
   failure.measure = pair.value / failure.threshold;
   return failure;
 }

@@ -11,45 +11,115 @@ namespace {
 // In mark.
 constexpr std::int32_t fixed_node = -2;
 
-using Lanes = Vec4f::Lanes;
+// Nodes are asked for this many before they are read.
+constexpr std::int32_t ahead = 8;
 
-Lanes load(const float* from) {
-  Lanes lanes;
+using Lanes = Vec8f::Lanes;
+
+// Wide values go by reference: how they are returned depends on the machine.
+inline void load(Lanes& lanes, const float* from) {
   std::memcpy(&lanes, from, sizeof(lanes));
-  return lanes;
 }
 
-void store(float* to, const Lanes& lanes) {
+inline void store(float* to, const Lanes& lanes) {
   std::memcpy(to, &lanes, sizeof(lanes));
 }
 
-/// (x0, x0, x1, x1)
-Lanes spread(const float* x) {
-  double both;
-  std::memcpy(&both, x, sizeof(both));
+/// (x0, x0, x1, x1, y0, y0, y1, y1)
+inline void spread(Lanes& lanes, const float* x, const float* y) {
+  double both[2];
+  std::memcpy(&both[0], x, sizeof(double));
+  std::memcpy(&both[1], y, sizeof(double));
   using Doubles = double __attribute__((vector_size(16)));
-  const Doubles pair = {both, 0};
-  Lanes lanes;
-  std::memcpy(&lanes, &pair, sizeof(lanes));
-  return __builtin_shufflevector(lanes, lanes, 0, 0, 1, 1);
+  const Doubles pair = {both[0], both[1]};
+  Vec4f::Lanes four;
+  std::memcpy(&four, &pair, sizeof(four));
+  lanes = __builtin_shufflevector(four, four, 0, 0, 1, 1, 2, 2, 3, 3);
 }
 
-float sum(const Lanes& lanes) {
-  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+inline float sum(const Lanes& v) {
+  return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
 }
 
-/// |r|² of the two nodes, twice each.
-Lanes squared(const Lanes& r) {
-  const Lanes squares = r * r;
-  return squares + __builtin_shufflevector(squares, squares, 1, 0, 3, 2);
+inline float largest(const Lanes& v) {
+  return std::max(std::max(v[0], v[2]), std::max(v[4], v[6]));
 }
 
-Lanes larger(const Lanes& a, const Lanes& b) {
-  return a > b ? a : b;
+/// Nodes [0, count) of y = K p, whose rows are given; returns p·y.
+CRAZE_WIDE float multiply(const std::int32_t* row_begin, const std::int32_t* columns,
+                          const Vec4f* blocks, std::int32_t count, const float* p, float* y) {
+  float py0 = 0, py1 = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    Lanes row = {0, 0, 0, 0, 0, 0, 0, 0}, block, x;
+    for (std::int32_t k = row_begin[i]; k < row_begin[i + 1]; k += 2) {
+      load(block, reinterpret_cast<const float*>(blocks + k));
+      spread(x, p + 2 * columns[k], p + 2 * columns[k + 1]);
+      row += block * x;
+    }
+    const float y0 = (row[0] + row[2]) + (row[4] + row[6]);
+    const float y1 = (row[1] + row[3]) + (row[5] + row[7]);
+    y[2 * i] = y0;
+    y[2 * i + 1] = y1;
+    py0 += p[2 * i] * y0;
+    py1 += p[2 * i + 1] * y1;
+  }
+  return py0 + py1;
 }
 
-float largest(const Lanes& lanes) {
-  return std::max(lanes[0], lanes[2]);
+/// What an iteration leaves.
+struct Progress {
+  float zr, zq;   ///< z·r and z·q
+  float largest;  ///< |r|² of the node where it is largest
+};
+
+/// The arrays of an iteration, two numbers a node.
+struct Vectors {
+  float *x, *r, *z;
+  const float *p, *q, *inverse_diagonal, *inverse_off_diagonal;
+};
+
+/// x += step p, r −= step q and z = the inverse of the diagonal blocks times r, for nodes
+/// [0, count); arrays have room up to a multiple of four nodes, and no more is changed there.
+CRAZE_WIDE Progress take_step(const Vectors& v, std::int32_t count, float step) {
+  Lanes zr = {0, 0, 0, 0, 0, 0, 0, 0}, zq = zr, most = zr;
+  for (std::int32_t i = 0; i < 2 * count; i += 8) {
+    Lanes x, r, p, q, diagonal, off_diagonal;
+    load(x, v.x + i);
+    load(r, v.r + i);
+    load(p, v.p + i);
+    load(q, v.q + i);
+    load(diagonal, v.inverse_diagonal + i);
+    load(off_diagonal, v.inverse_off_diagonal + i);
+    x += step * p;
+    r -= step * q;
+    const Lanes swapped = __builtin_shufflevector(r, r, 1, 0, 3, 2, 5, 4, 7, 6);
+    const Lanes z = diagonal * r + off_diagonal * swapped;
+    store(v.x + i, x);
+    store(v.r + i, r);
+    store(v.z + i, z);
+    zr += z * r;
+    zq += z * q;
+    Lanes squares = r * r;
+    squares += __builtin_shufflevector(squares, squares, 1, 0, 3, 2, 5, 4, 7, 6);
+    // Nodes from `count` on are not looked at.
+    const std::int32_t left = 2 * count - i;
+    if (left < 8) {
+      for (int lane = 0; lane < 8; ++lane) squares[lane] = lane < left ? squares[lane] : 0;
+    }
+    most = squares > most ? squares : most;
+  }
+  return {sum(zr), sum(zq), largest(most)};
+}
+
+/// p = z + beta p.
+CRAZE_WIDE void turn(float* p, const float* z, float beta, std::int32_t count) {
+  for (std::int32_t i = 0; i < 2 * count; i += 8) {
+    Lanes old, now;
+    load(old, p + i);
+    load(now, z + i);
+    now += beta * old;
+    store(p + i, now);
+  }
 }
 
 }  // namespace
@@ -57,23 +127,33 @@ float largest(const Lanes& lanes) {
 void PatchSolver::join(const Task& task, std::int32_t v) {
   task.mark[v] = static_cast<std::int32_t>(nodes_.size());
   nodes_.push_back(v);
-  const std::int32_t owner = task.seed_patch[v];
-  if (owner >= 0 && owner != task.patch) {
-    r_.insert(r_.end(), 2, 0.0F);
-    return;
+  task.layer.stiffness.prefetch_extent(v);
+}
+
+void PatchSolver::read_residuals(const Task& task) {
+  // The padding of the last time is no node.
+  auto i = static_cast<std::size_t>(residuals_);
+  r_.resize(2 * i);
+  for (; i < nodes_.size(); ++i) {
+    const std::int32_t v = nodes_[i], owner = task.seed_patch[v];
+    if (i + ahead < nodes_.size()) task.layer.prefetch(nodes_[i + ahead]);
+    if (owner >= 0 && owner != task.patch) {
+      r_.insert(r_.end(), 2, 0.0F);
+      continue;
+    }
+    const PlaneBasis basis(task.layer.field.normals()[v]);
+    const Vec3 pull = task.layer.pull(v) / scale_;
+    r_.push_back(static_cast<float>(basis.a.dot(pull)));
+    r_.push_back(static_cast<float>(basis.b.dot(pull)));
   }
-  const PlaneBasis basis(task.layer.field.normals()[v]);
-  const Vec3 pull = task.layer.pull(v) / scale_;
-  r_.push_back(static_cast<float>(basis.a.dot(pull)));
-  r_.push_back(static_cast<float>(basis.b.dot(pull)));
+  residuals_ = static_cast<std::int32_t>(nodes_.size());
 }
 
 void PatchSolver::load_rows(const Task& task) {
   std::vector<std::int32_t>& mark = task.mark;
-  // The padding of the last time is no node.
-  r_.resize(2 * nodes_.size());
   const auto end = static_cast<std::int32_t>(nodes_.size());
   for (std::int32_t i = loaded_; i < end; ++i) {
+    if (i + ahead < end) task.layer.stiffness.prefetch(nodes_[i + ahead]);
     const TangentStiffness::Row row = task.layer.stiffness.row(nodes_[i]);
     for (std::int32_t k = 0; k < row.count; ++k) {
       const std::int32_t n = row.columns[k];
@@ -89,10 +169,15 @@ void PatchSolver::load_rows(const Task& task) {
       columns_.push_back(mark[n]);
       blocks_.push_back(row.blocks[k]);
     }
+    if (columns_.size() % 2 != 0) {
+      columns_.push_back(i);
+      blocks_.emplace_back();
+    }
     row_begin_.push_back(static_cast<std::int32_t>(columns_.size()));
   }
   loaded_ = end;
-  const std::size_t padded = 2 * (nodes_.size() + nodes_.size() % 2);
+  read_residuals(task);
+  const std::size_t padded = 2 * ((nodes_.size() + 3) / 4 * 4);
   for (std::vector<float>* values :
        {&x_, &r_, &z_, &p_, &q_, &inverse_diagonal_, &inverse_off_diagonal_}) {
     values->resize(padded, 0.0F);
@@ -111,21 +196,6 @@ void PatchSolver::activate() {
   active_ = loaded_;
 }
 
-float PatchSolver::multiply() {
-  Lanes pq = {0, 0, 0, 0};
-  for (std::int32_t i = 0; i < loaded_; ++i) {
-    Lanes row = {0, 0, 0, 0};
-    for (std::int32_t k = row_begin_[i]; k < row_begin_[i + 1]; ++k) {
-      row += blocks_[k].v * spread(&p_[2 * columns_[k]]);
-    }
-    const Lanes y = row + __builtin_shufflevector(row, row, 2, 3, 0, 1);
-    std::memcpy(&q_[2 * i], &y, 2 * sizeof(float));
-    const float own[2] = {p_[2 * i], p_[2 * i + 1]};
-    pq += Lanes{own[0], own[1], 0, 0} * y;
-  }
-  return sum(pq);
-}
-
 void PatchSolver::clear() {
   for (std::vector<float>* values :
        {&x_, &r_, &z_, &p_, &q_, &inverse_diagonal_, &inverse_off_diagonal_}) {
@@ -136,7 +206,7 @@ void PatchSolver::clear() {
   columns_.clear();
   blocks_.clear();
   row_begin_.assign(1, 0);
-  active_ = loaded_ = 0;
+  active_ = loaded_ = residuals_ = 0;
   iterations_ = node_updates_ = 0;
 }
 
@@ -184,37 +254,22 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
   std::copy(z_.begin(), z_.begin() + 2 * active_, p_.begin());
 
   while (most > allowed && iterations_ < most_iterations) {
-    const float pq = multiply();
+    const float pq =
+        multiply(row_begin_.data(), columns_.data(), blocks_.data(), loaded_, p_.data(), q_.data());
     if (!(pq > 0)) break;
     const float step = zr / pq;
     ++iterations_;
     node_updates_ += loaded_;
-    Lanes zr_sum = {0, 0, 0, 0}, zq_sum = zr_sum, largest_sum = zr_sum;
-    const auto update_two = [&](std::int32_t i, const Lanes& counted) {
-      const Lanes q = load(&q_[i]);
-      const Lanes r = load(&r_[i]) - step * q;
-      const Lanes swapped = __builtin_shufflevector(r, r, 1, 0, 3, 2);
-      const Lanes z = load(&inverse_diagonal_[i]) * r + load(&inverse_off_diagonal_[i]) * swapped;
-      store(&x_[i], load(&x_[i]) + step * load(&p_[i]));
-      store(&r_[i], r);
-      store(&z_[i], z);
-      zr_sum += z * r;
-      zq_sum += z * q;
-      largest_sum = larger(largest_sum, counted * squared(r));
-    };
-    const std::int32_t even = 2 * (loaded_ - loaded_ % 2);
-    for (std::int32_t i = 0; i < even; i += 4) update_two(i, Lanes{1, 1, 1, 1});
-    if (even < 2 * loaded_) update_two(even, Lanes{1, 1, 0, 0});
-    float zr_next = sum(zr_sum), zq = sum(zq_sum);
-    most = largest(largest_sum);
+    Progress left = take_step({x_.data(), r_.data(), z_.data(), p_.data(), q_.data(),
+                               inverse_diagonal_.data(), inverse_off_diagonal_.data()},
+                              loaded_, step);
+    most = left.largest;
     allowed = std::max(allowed, precision * most);
-    if (active_ < loaded_ && largest_in(active_, loaded_) > allowed) take_in_ring(zr_next, zq);
+    if (active_ < loaded_ && largest_in(active_, loaded_) > allowed) take_in_ring(left.zr, left.zq);
     // Polak and Ribière's β: the directions stay conjugate as rings come in.
-    const float beta = std::max(0.0F, -step * zq / zr);
-    zr = zr_next;
-    for (std::int32_t i = 0; i < 2 * active_; i += 4) {
-      store(&p_[i], load(&z_[i]) + beta * load(&p_[i]));
-    }
+    const float beta = std::max(0.0F, -step * left.zq / zr);
+    zr = left.zr;
+    turn(p_.data(), z_.data(), beta, active_);
   }
   converged_ = !(most > solved);
   for (const std::int32_t v : nodes_) mark[v] = -1;

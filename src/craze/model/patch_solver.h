@@ -24,6 +24,13 @@ struct LayerState {
   bool is_fixed(std::int32_t v) const {
     return v < static_cast<std::int32_t>(fixed.size()) && fixed[v] != 0;
   }
+  /// Asks for what pull() and the residual read, some time before.
+  void prefetch(std::int32_t v) const {
+    __builtin_prefetch(&field.forces()[v]);
+    __builtin_prefetch(&field.displacements()[v]);
+    __builtin_prefetch(&field.normals()[v]);
+    __builtin_prefetch(&field.node_areas()[v]);
+  }
   /// F − κ A u: what pulls at a node, force; its normal part is borne by what lies under the layer.
   Vec3 pull(std::int32_t v) const {
     return field.force(v) - adhesion * field.node_areas()[v] * field.displacement(v);
@@ -67,9 +74,9 @@ class PatchSolver {
 
   void clear();
   void join(const Task& task, std::int32_t v);
+  void read_residuals(const Task& task);
   void load_rows(const Task& task);
   void activate();
-  float multiply();
 
   double scale_ = 1;  // of forces: the tolerance or more
   bool converged_ = false;
@@ -78,10 +85,11 @@ class PatchSolver {
   // Of the nodes, [0, active_) may move, [active_, loaded_) is the ring whose residual is watched,
   // and those after are its neighbours.
   std::int32_t active_ = 0, loaded_ = 0;
+  std::int32_t residuals_ = 0;  // nodes whose residual was read
   std::vector<std::int32_t> nodes_, held_;
   std::vector<std::int32_t> row_begin_, columns_;
-  std::vector<Vec4f> blocks_;
-  // Two numbers a node, and an even number of nodes; zero where a node is not active.
+  std::vector<Vec4f> blocks_;  // an even number in each row
+  // Two numbers a node, and a multiple of four nodes; zero where a node is not active.
   std::vector<float> x_, r_, z_, p_, q_;
   std::vector<float> inverse_diagonal_, inverse_off_diagonal_;  // of the 2x2 blocks
 };

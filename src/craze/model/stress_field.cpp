@@ -1,5 +1,8 @@
 #include "craze/model/stress_field.h"
 
+#include <cmath>
+#include <cstddef>
+
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/basis_matrix.h"
 #include "craze/model/element_response.h"
@@ -34,6 +37,42 @@ Sym3 stress_of(const Element& e, double area) {
 /// What displacements of the corners make of an element's stress.
 ElementResponse response_to(const Element& e, const std::vector<Vec4d>& u, const Triangle& t) {
   return element_response(e, u[t[1]].v - u[t[0]].v, u[t[2]].v - u[t[0]].v);
+}
+
+CRAZE_WIDE void displace_elements(Element* elements, const Triangle* triangles,
+                                  const std::int32_t* faces, std::size_t count,
+                                  const std::int32_t* slot, const Vec4d* shifts, Vec4d* forces,
+                                  double* drift) {
+  // Faces come in the order of the nodes, which on a scanned mesh is none: they are asked for
+  // early.
+  constexpr std::size_t ahead = 8;
+  const Vec4d::Lanes none = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i + ahead < count) {
+      const char* next = reinterpret_cast<const char*>(&elements[faces[i + ahead]]);
+      __builtin_prefetch(next);
+      __builtin_prefetch(next + sizeof(Element) - 1);
+      __builtin_prefetch(&triangles[faces[i + ahead]]);
+    }
+    const Triangle& corners = triangles[faces[i]];
+    const std::int32_t s0 = slot[corners[0]], s1 = slot[corners[1]], s2 = slot[corners[2]];
+    if (s0 < 0 && s1 < 0 && s2 < 0) continue;
+    const Vec4d::Lanes u0 = s0 < 0 ? none : shifts[s0].v, u1 = s1 < 0 ? none : shifts[s1].v,
+                       u2 = s2 < 0 ? none : shifts[s2].v;
+    Element& element = elements[faces[i]];
+    const ElementResponse response = element_response(element, u1 - u0, u2 - u0);
+    response.add_stress_to(element);
+    const Vec4d::Lanes changes[3] = {response.f1 + response.f2, -response.f1, -response.f2};
+    // Of three forces that sum to zero none has more than two thirds of the sum of squares.
+    const Vec4d::Lanes squares =
+        changes[0] * changes[0] + changes[1] * changes[1] + changes[2] * changes[2];
+    const double most = std::sqrt(2.0 / 3.0 * (squares[0] + squares[1] + squares[2]));
+    for (int c = 0; c < 3; ++c) {
+      forces[corners[c]].v += changes[c];
+      forces[corners[c]][3] = 0;
+      drift[corners[c]] += most;
+    }
+  }
 }
 
 }  // namespace
@@ -93,20 +132,11 @@ void StressField::update_forces(const TriangleMesh& mesh) {
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) update_force(mesh, v);
 }
 
-void StressField::displace(std::int32_t f, const Triangle& corners, const Vec4d& u0,
-                           const Vec4d& u1, const Vec4d& u2, std::vector<double>& drift) {
-  const ElementResponse response = element_response(elements_[f], u1.v - u0.v, u2.v - u0.v);
-  response.add_stress_to(elements_[f]);
-  const Vec4d::Lanes changes[3] = {response.f1 + response.f2, -response.f1, -response.f2};
-  // Of three forces that sum to zero none has more than two thirds of the sum of squares.
-  const Vec4d::Lanes squares =
-      changes[0] * changes[0] + changes[1] * changes[1] + changes[2] * changes[2];
-  const double most = std::sqrt(2.0 / 3.0 * (squares[0] + squares[1] + squares[2]));
-  for (int c = 0; c < 3; ++c) {
-    forces_[corners[c]].v += changes[c];
-    forces_[corners[c]][3] = 0;
-    drift[corners[c]] += most;
-  }
+void StressField::displace(const TriangleMesh& mesh, const std::vector<std::int32_t>& faces,
+                           const std::vector<std::int32_t>& slot, const std::vector<Vec4d>& shifts,
+                           std::vector<double>& drift) {
+  displace_elements(elements_.data(), mesh.triangles().data(), faces.data(), faces.size(),
+                    slot.data(), shifts.data(), forces_.data(), drift.data());
 }
 
 void StressField::update_node_area(const TriangleMesh& mesh, std::int32_t v) {

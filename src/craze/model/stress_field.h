@@ -64,11 +64,13 @@ class StressField {
   void update_force(const TriangleMesh& mesh, std::int32_t v);
   void update_forces(const TriangleMesh& mesh);
 
-  /// [IO06 Eqs. 6, 7] Adds to σ of a face what virtual displacements of its corners make of it, and
-  /// the change of Eq. 1's forces to the corners. A bound of the sizes of those three changes
-  /// is added to `drift` (#V): no eigenvalue of ς changes by more than its node's sum.
-  void displace(std::int32_t f, const Triangle& corners, const Vec4d& u0, const Vec4d& u1,
-                const Vec4d& u2, std::vector<double>& drift);
+  /// [IO06 Eqs. 6, 7] Adds to σ of these faces, in this order, what virtual displacements of their
+  /// corners make of it, and the change of Eq. 1's forces to the corners. `slot` (#V) says where in
+  /// `shifts` (length) a node's displacement is, −1: it stays. A bound of the sizes of those
+  /// changes is added to `drift` (#V): no eigenvalue of ς changes by more than its node's sum.
+  void displace(const TriangleMesh& mesh, const std::vector<std::int32_t>& faces,
+                const std::vector<std::int32_t>& slot, const std::vector<Vec4d>& shifts,
+                std::vector<double>& drift);
 
   /// Follows TriangleMesh::split_edge: the halves keep the parent's σ, the new node lies between
   /// the ends of the split edge and takes its u from them. Forces around are updated.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/parallel.h"
+
 namespace craze {
 
 namespace {
@@ -29,11 +31,16 @@ void TangentStiffness::assemble(const TriangleMesh& mesh, const StressField& fie
   columns_.reserve(typical_row * mesh.vertex_count());
   faces_.reserve(typical_row * mesh.vertex_count());
   blocks_.reserve(typical_row * mesh.vertex_count());
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) assemble_row(mesh, field, v);
+  Draft draft;
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    draft_row(mesh, field, v, draft);
+    make_room(v, static_cast<std::int32_t>(draft.columns.size()));
+    store_row(mesh, v, draft);
+  }
 }
 
 void TangentStiffness::update(const TriangleMesh& mesh, const StressField& field,
-                              const std::vector<std::int32_t>& nodes) {
+                              const std::vector<std::int32_t>& nodes, int threads) {
   rows_.resize(mesh.vertex_count());
   touched_.clear();
   for (const std::int32_t v : nodes) {
@@ -45,15 +52,26 @@ void TangentStiffness::update(const TriangleMesh& mesh, const StressField& field
   }
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  for (const std::int32_t v : touched_) assemble_row(mesh, field, v);
+  for (const std::int32_t v : touched_) {
+    std::int32_t neighbours = 0;
+    mesh.for_each_outgoing(v, [&](std::int32_t) { ++neighbours; });
+    make_room(v, 1 + neighbours + (mesh.is_open_vertex(v) ? 1 : 0));
+  }
+  parallel_for(threads, touched_.size(), 64, [&](std::size_t begin, std::size_t end) {
+    Draft draft;
+    for (std::size_t i = begin; i < end; ++i) {
+      draft_row(mesh, field, touched_[i], draft);
+      store_row(mesh, touched_[i], draft);
+    }
+  });
 }
 
-void TangentStiffness::assemble_row(const TriangleMesh& mesh, const StressField& field,
-                                    std::int32_t v) {
+void TangentStiffness::draft_row(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
+                                 Draft& draft) const {
   const PlaneBasis basis(field.normals()[v]);
   const double mass = adhesion_ * field.node_areas()[v];
-  row_columns_.assign(1, v);
-  row_blocks_.assign(1, {mass, 0, 0, mass});
+  draft.columns.assign(1, v);
+  draft.blocks.assign(1, {mass, 0, 0, mass});
   mesh.for_each_outgoing(v, [&](std::int32_t h) {
     // g_a = Σ_b N_ab e_b = √√A ∇λ_a, and K_ab = ½ (g_b g_aᵀ + (g_a·g_b) P), P the projection on the
     // element's plane: Eqs. 6, 7 and 1 put together.
@@ -77,36 +95,40 @@ void TangentStiffness::assemble_row(const TriangleMesh& mesh, const StressField&
       };
       const std::array<double, 4> block = {entry(basis.a, other.a), entry(basis.b, other.a),
                                            entry(basis.a, other.b), entry(basis.b, other.b)};
-      const auto found = std::find(row_columns_.begin(), row_columns_.end(), n);
-      const auto slot = static_cast<std::size_t>(found - row_columns_.begin());
-      if (found == row_columns_.end()) {
-        row_columns_.push_back(n);
-        row_blocks_.push_back(block);
+      const auto found = std::find(draft.columns.begin(), draft.columns.end(), n);
+      const auto slot = static_cast<std::size_t>(found - draft.columns.begin());
+      if (found == draft.columns.end()) {
+        draft.columns.push_back(n);
+        draft.blocks.push_back(block);
       } else {
-        for (int i = 0; i < 4; ++i) row_blocks_[slot][i] += block[i];
+        for (int i = 0; i < 4; ++i) draft.blocks[slot][i] += block[i];
       }
     }
   });
+}
 
+void TangentStiffness::make_room(std::int32_t v, std::int32_t count) {
   Extent& extent = rows_[v];
-  const auto count = static_cast<std::int32_t>(row_columns_.size());
-  if (count > extent.capacity) {
-    extent.begin = static_cast<std::int64_t>(columns_.size());
-    extent.capacity = count + spare_blocks;
-    columns_.resize(columns_.size() + extent.capacity, -1);
-    faces_.resize(faces_.size() + extent.capacity, -1);
-    blocks_.resize(blocks_.size() + extent.capacity);
-  }
-  extent.count = count;
+  if (count <= extent.capacity) return;
+  extent.begin = static_cast<std::int64_t>(columns_.size());
+  extent.capacity = count + spare_blocks;
+  columns_.resize(columns_.size() + extent.capacity, -1);
+  faces_.resize(faces_.size() + extent.capacity, -1);
+  blocks_.resize(blocks_.size() + extent.capacity);
+}
+
+void TangentStiffness::store_row(const TriangleMesh& mesh, std::int32_t v, const Draft& draft) {
+  Extent& extent = rows_[v];
+  extent.count = static_cast<std::int32_t>(draft.columns.size());
   extent.faces = 0;
   mesh.for_each_outgoing(v, [&](std::int32_t h) {
     const Triangle& t = mesh.triangle(h / 3);
     if (v <= t[0] && v <= t[1] && v <= t[2]) faces_[extent.begin + extent.faces++] = h / 3;
   });
-  for (std::int32_t i = 0; i < count; ++i) {
-    columns_[extent.begin + i] = row_columns_[i];
+  for (std::int32_t i = 0; i < extent.count; ++i) {
+    columns_[extent.begin + i] = draft.columns[i];
     Vec4f& block = blocks_[extent.begin + i];
-    for (int k = 0; k < 4; ++k) block[k] = static_cast<float>(row_blocks_[i][k]);
+    for (int k = 0; k < 4; ++k) block[k] = static_cast<float>(draft.blocks[i][k]);
   }
 }
 

@@ -48,12 +48,20 @@ class TangentStiffness {
   /// Assembles the rows of all corners of the faces around these nodes again. Nodes that are new
   /// must be among them.
   void update(const TriangleMesh& mesh, const StressField& field,
-              const std::vector<std::int32_t>& nodes);
+              const std::vector<std::int32_t>& nodes, int threads);
 
   Row row(std::int32_t v) const {
     const Extent& extent = rows_[v];
     return {columns_.data() + extent.begin, blocks_.data() + extent.begin, extent.count};
   }
+  /// Asks for a row, or for where it is, some time before it is read.
+  void prefetch(std::int32_t v) const {
+    const std::int64_t begin = rows_[v].begin;
+    const char* blocks = reinterpret_cast<const char*>(blocks_.data() + begin);
+    for (int line = 0; line < 2; ++line) __builtin_prefetch(blocks + 64 * line);
+    __builtin_prefetch(columns_.data() + begin);
+  }
+  void prefetch_extent(std::int32_t v) const { __builtin_prefetch(&rows_[v]); }
   Faces own_faces(std::int32_t v) const { return {faces_.data() + rows_[v].begin, rows_[v].faces}; }
 
  private:
@@ -62,15 +70,22 @@ class TangentStiffness {
     std::int32_t count = 0, capacity = 0, faces = 0;
   };
 
-  void assemble_row(const TriangleMesh& mesh, const StressField& field, std::int32_t v);
+  /// A row as it is put together.
+  struct Draft {
+    std::vector<std::int32_t> columns;
+    std::vector<std::array<double, 4>> blocks;
+  };
+
+  void draft_row(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
+                 Draft& draft) const;
+  void make_room(std::int32_t v, std::int32_t count);
+  void store_row(const TriangleMesh& mesh, std::int32_t v, const Draft& draft);
 
   double adhesion_;
   std::vector<Extent> rows_;  // #V
   std::vector<std::int32_t> columns_, faces_;
   std::vector<Vec4f> blocks_;
-  std::vector<std::int32_t> touched_;      // of update
-  std::vector<std::int32_t> row_columns_;  // of assemble_row
-  std::vector<std::array<double, 4>> row_blocks_;
+  std::vector<std::int32_t> touched_;  // of update
 };
 
 }  // namespace craze
