@@ -37,6 +37,13 @@ double Equilibrium::allow_drift(std::int32_t v, double force) {
   return allowed_[v];
 }
 
+void Equilibrium::release_memory() {
+  stiffness_ = TangentStiffness(options_.adhesion);
+  patches_ = {};
+  patch_count_ = 0;
+  marks_ = {};
+}
+
 void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
                           const std::vector<std::int32_t>& changed, int threads,
                           std::vector<std::int32_t>& moved) {

@@ -47,6 +47,9 @@ class Equilibrium {
                const std::vector<std::int32_t>& changed, int threads,
                std::vector<std::int32_t>& moved);
 
+  /// Gives back what restore() makes anew: the stiffness and the solvers' storage.
+  void release_memory();
+
   std::int64_t iterations() const { return iterations_; }
   std::int64_t element_updates() const { return element_updates_; }
 

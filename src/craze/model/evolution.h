@@ -34,6 +34,9 @@ class Evolution {
   /// does). Returns whether to go on, having raised the load if that is this engine's way.
   virtual bool advance(double needed) = 0;
 
+  /// Gives back memory that only evolve() needs, which makes it anew.
+  virtual void release_memory() {}
+
   /// Factor on the stored stress.
   virtual double load() const = 0;
   /// Load up to which failures count as happening now, where they are too far apart to interact.

@@ -23,6 +23,7 @@ class QuasistaticEvolution : public Evolution {
     return equilibrium_.allow_drift(v, force);
   }
   bool advance(double needed) override;
+  void release_memory() override { equilibrium_.release_memory(); }
   double load() const override { return load_; }
   double load_of_step() const override { return (1 + parameters_.load_step) * load_; }
   double highest_load() const override { return parameters_.max_load; }

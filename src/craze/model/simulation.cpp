@@ -110,6 +110,7 @@ StopReason Simulation::run(const Context& context) {
     update_failure_criteria(context);
     context.report({"crack", -1, events_, mesh_.face_count(), load()});
   }
+  evolution_->release_memory();
   // 4. For display: post/ and render/.
   return stop_;
 }
