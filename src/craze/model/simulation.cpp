@@ -185,7 +185,8 @@ bool Simulation::crack_at(std::int32_t v) {
     watch_.could_not_open(v);
     return false;
   }
-  run_on(mesh_.position(v), failure.normal, rules);
+  const Vec3 start = mesh_.position(v);  // a copy: the mesh's own moves as it grows
+  run_on(start, failure.normal, rules);
   for (const CrackSegment& s : outcome_.segments) {
     segments_.push_back({s, evolution_->time(), static_cast<std::int32_t>(events_)});
   }
