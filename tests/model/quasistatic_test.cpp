@@ -50,6 +50,18 @@ TEST(Quasistatic, NoForceIsLeftOnAnyNodeAtACrackDecision) {
   }
 }
 
+TEST(Quasistatic, StopsAtTheHighestLoadWhereMoreWouldCrackOn) {
+  SimulationParameters p = mud();
+  p.evolution.max_load = 1.5;
+  Simulation s = test::simulation_of("plate?n=24&jitter=0.3", p);
+  EXPECT_EQ(s.run({}), StopReason::max_load);
+  EXPECT_EQ(s.load(), 1.5);
+  // Below it nothing fails, and no load would make a layer without stress fail.
+  Simulation slack(test::mesh_of("plate?n=12"), {}, p, {});
+  EXPECT_EQ(slack.run({}), StopReason::equilibrium);
+  EXPECT_EQ(slack.events(), 0);
+}
+
 TEST(Quasistatic, TheForceThatIsLeftIsTheStressFieldsOwn) {
   // The forces are updated crack by crack; Eq. 1 from the stresses must give the same.
   SimulationParameters p = mud();

@@ -54,6 +54,13 @@ std::int32_t FailureWatch::next(const Scene& scene) {
   return -1;
 }
 
+bool FailureWatch::can_any_fail() const {
+  for (std::size_t v = 0; v < failing_.size(); ++v) {
+    if (failing_[v].measure > 0 && arrested_.count(static_cast<std::int32_t>(v)) == 0) return true;
+  }
+  return false;
+}
+
 void FailureWatch::enter(const Scene& scene, std::int32_t v) {
   Failure& failure = failing_[v];
   if (failure.shield >= 0) {

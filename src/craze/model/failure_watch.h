@@ -51,6 +51,9 @@ class FailureWatch {
   double measure(std::int32_t v) const { return queue_.measure(v); }
   const Failure& failure(std::int32_t v) const { return failing_[v]; }
 
+  /// Whether any node would fail under some load, however high; asked where next() finds none.
+  bool can_any_fail() const;
+
   /// A node that is not to be found by next() until it is taken back.
   void set_aside(std::int32_t v) { queue_.remove(v); }
   void take_back(std::int32_t v) { queue_.set(v, failing_[v].measure); }

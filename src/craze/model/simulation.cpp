@@ -126,8 +126,13 @@ bool Simulation::can_continue(const Context& context) {
   if (evolution_->reached_max_load()) return stop(StopReason::max_load);
   const std::int32_t next = watch_.next(scene());
   if (next >= 0 && fails_now(next)) return true;
-  const double needed =
-      next >= 0 ? 1 / watch_.measure(next) : std::numeric_limits<double>::infinity();
+  // Nodes that would fail above the highest load are not queued.
+  double needed = std::numeric_limits<double>::infinity();
+  if (next >= 0) {
+    needed = 1 / watch_.measure(next);
+  } else if (watch_.can_any_fail()) {
+    needed = std::nextafter(evolution_->highest_load(), needed);
+  }
   if (evolution_->advance(needed)) return true;
   return stop(evolution_->reached_max_load() ? StopReason::max_load : StopReason::equilibrium);
 }
