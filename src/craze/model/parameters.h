@@ -54,6 +54,8 @@ struct MaterialParameters {
   double relative_toughness = 0;  ///< toughness over strength · √ℓ; 0: toughness as given
   double process_zone = 0;        ///< length around a tip in which no other node fails; 0: ℓ / 2
   double scatter = 0;             ///< relative scatter of the strength
+  double scatter_length = 0;      ///< its correlation length; 0: the stress's noise_length
+  double relative_scatter_length = 0;  ///< scatter_length as a multiple of ℓ, where that is 0
   CurvatureScale curvature_scale = CurvatureScale::none;
   double bias = 0;        ///< preference for principal directions (Fig. 2)
   std::string attribute;  ///< of the input, multiplies toughness and strength; 0: no crack, ever

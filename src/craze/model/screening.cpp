@@ -39,6 +39,11 @@ SimulationParameters resolve_lengths(SimulationParameters p, double diagonal) {
     p.stress.noise_length = p.stress.relative_noise_length * layer.screening_length;
   }
   MaterialParameters& material = p.material;
+  if (material.scatter_length == 0) {
+    material.scatter_length = material.relative_scatter_length > 0
+                                  ? material.relative_scatter_length * layer.screening_length
+                                  : p.stress.noise_length;
+  }
   if (material.criterion == Criterion::strength && material.relative_toughness > 0) {
     material.toughness =
         material.relative_toughness * material.strength * std::sqrt(layer.screening_length);

@@ -119,6 +119,12 @@ std::vector<Parameter> make_table() {
             .unit = "length"})
       .add("scatter", &MaterialParameters::scatter, share,
            {.help = "random part of the strength, relative standard deviation"})
+      .add("scatter_length", &MaterialParameters::scatter_length, not_negative,
+           {.help = "over which length the scatter is alike; 0: stress.noise_length",
+            .unit = "length"})
+      .add("relative_scatter_length", &MaterialParameters::relative_scatter_length, not_negative,
+           {.help =
+                "scatter_length as a multiple of the screening length, where scatter_length is 0"})
       .add("curvature_scale", &MaterialParameters::curvature_scale, any,
            {.help = "what of the curvature multiplies the separation tensor",
             .source = "[IO06 §4.1, Figs. 4, 10]",

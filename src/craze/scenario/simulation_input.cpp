@@ -48,7 +48,7 @@ void scatter_strength(std::vector<double>& scale, const TriangleMesh& mesh,
   const double s = p.material.scatter;
   if (s == 0) return;
   const Random random(p.seed, scatter_stream);
-  const std::vector<double> noise = face_noise(mesh, p.stress.noise_length, random, context);
+  const std::vector<double> noise = face_noise(mesh, p.material.scatter_length, random, context);
   for (std::size_t f = 0; f < scale.size(); ++f) scale[f] *= std::exp(s * noise[f] - 0.5 * s * s);
 }
 
