@@ -107,6 +107,18 @@ TEST(Equilibrium, AToleranceBelowTheRoundingOfForcesEnds) {
   EXPECT_EQ(s.events(), 5);
 }
 
+TEST(Equilibrium, TellsWhetherTheToleranceWasMet) {
+  for (const double residual : {0.05, 1e-6, 1e-16}) {
+    SimulationParameters p = layer();
+    p.evolution.residual = residual;
+    p.evolution.max_cracks = 5;
+    Simulation s = test::simulation_of("plate?n=20&jitter=0.3", p);
+    s.run({});
+    EXPECT_EQ(s.events(), 5);
+    EXPECT_EQ(s.met_tolerance(), residual > 1e-12) << residual;
+  }
+}
+
 /// Where cracks open, one after the other, when the whole mesh is solved directly and every node
 /// looked at after every single crack.
 std::vector<Vec3> exhaustive_sequence(const TriangleMesh& start, const SimulationFields& fields,

@@ -88,6 +88,7 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
     std::sort(open.begin(), open.end());
     open.erase(std::unique(open.begin(), open.end()), open.end());
   }
+  if (!open.empty()) met_tolerance_ = false;
 }
 
 void Equilibrium::review(const LayerState& layer, std::size_t index) {
@@ -97,10 +98,8 @@ void Equilibrium::review(const LayerState& layer, std::size_t index) {
   patch.largest_residual = 0;
   const double allowed = options_.tolerance * options_.tolerance;
   // Where answers overlap, or single precision was not enough, some more may be left to do.
-  const bool exact = patch_count_ == 1 && patch.solver.converged();
   for (const std::int32_t v : patch.solver.nodes()) {
     if (drift_[v] > allowed_[v]) patch.moved.push_back(v);
-    if (exact) continue;
     const double residual = squared_residual(layer, v);
     if (!(residual > allowed)) continue;
     patch.open.push_back(v);

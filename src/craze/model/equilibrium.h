@@ -50,6 +50,8 @@ class Equilibrium {
   /// Gives back what restore() makes anew: the stiffness and the solvers' storage.
   void release_memory();
 
+  /// Whether every restore() came within its tolerance.
+  bool met_tolerance() const { return met_tolerance_; }
   std::int64_t iterations() const { return iterations_; }
   std::int64_t element_updates() const { return element_updates_; }
 
@@ -81,6 +83,7 @@ class Equilibrium {
   std::vector<std::int32_t> slot_;  // #V, −1: index in the patch being applied
   std::vector<double> drift_;       // #V: how much the forces changed since drift was last allowed
   std::vector<double> allowed_;     // #V: how much they may
+  bool met_tolerance_ = true;
   std::int64_t iterations_ = 0;
   std::int64_t element_updates_ = 0;
 };

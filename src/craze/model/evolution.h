@@ -55,6 +55,8 @@ class Evolution {
   virtual double reported_load() const = 0;
   /// Whether advance() said no because the limit on the load was reached.
   virtual bool reached_max_load() const = 0;
+  /// Whether evolve() always came as near to equilibrium as was asked for.
+  virtual bool met_tolerance() const { return true; }
 };
 
 struct EvolutionInputs {

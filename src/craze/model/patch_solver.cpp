@@ -271,7 +271,6 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
     zr = left.zr;
     turn(p_.data(), z_.data(), beta, active_);
   }
-  converged_ = !(most > solved);
   for (const std::int32_t v : nodes_) mark[v] = -1;
   for (const std::int32_t v : held_) mark[v] = -1;
 }

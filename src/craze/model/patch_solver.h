@@ -43,11 +43,12 @@ struct LayerState {
 /// solve costs what the change needs, whatever the mesh. Storage is kept from solve to solve.
 class PatchSolver {
  public:
-  /// Solves until no residual is above half the tolerance, or as far as single precision goes:
-  /// converged() tells. The problem is linear, so changes in different places may be solved apart
-  /// and their answers added, however near they are, as long as each residual is in one of them:
-  /// `seed_patch` (#V) says which patch a node is a seed of (−1: none), and the residual of a node
-  /// that is another's counts as zero. `mark` (#V, −1 everywhere, and again at the end) is scratch.
+  /// Solves until no residual is above half the tolerance, or as far as single precision goes; only
+  /// the forces themselves tell what is left. The problem is linear, so changes in different places
+  /// may be solved apart and their answers added, however near they are, as long as each residual
+  /// is in one of them: `seed_patch` (#V) says which patch a node is a seed of (−1: none), and the
+  /// residual of a node that is another's counts as zero. `mark` (#V, −1 everywhere, and again at
+  /// the end) is scratch.
   void solve(const LayerState& layer, const std::vector<std::int32_t>& seeds, std::int32_t patch,
              const std::vector<std::int32_t>& seed_patch, std::vector<std::int32_t>& mark);
 
@@ -57,7 +58,6 @@ class PatchSolver {
   std::int32_t active() const { return active_; }
   /// Fixed nodes next to those.
   const std::vector<std::int32_t>& held() const { return held_; }
-  bool converged() const { return converged_; }
   /// The displacement of nodes()[i], length.
   Vec3 displacement(const LayerState& layer, std::int32_t i) const;
   std::int64_t iterations() const { return iterations_; }
@@ -79,7 +79,6 @@ class PatchSolver {
   void activate();
 
   double scale_ = 1;  // of forces: the tolerance or more
-  bool converged_ = false;
   std::int64_t iterations_ = 0, node_updates_ = 0;
 
   // Of the nodes, [0, active_) may move, [active_, loaded_) is the ring whose residual is watched,

@@ -33,6 +33,7 @@ class QuasistaticEvolution : public Evolution {
   std::int64_t element_updates() const override { return equilibrium_.element_updates(); }
   double reported_load() const override { return load_; }
   bool reached_max_load() const override { return reached_max_load_; }
+  bool met_tolerance() const override { return equilibrium_.met_tolerance(); }
 
  private:
   EvolutionParameters parameters_;

@@ -60,6 +60,8 @@ class Simulation {
   double load() const { return evolution_->reported_load(); }
   /// What cracks are dated with: s (quasistatic), Δt times the relaxation steps taken (euler).
   double time() const { return evolution_->time(); }
+  /// Whether the stress was always as near to equilibrium as evolution.residual asks for.
+  bool met_tolerance() const { return evolution_->met_tolerance(); }
   std::int64_t events() const { return events_; }
   std::int64_t segments() const { return static_cast<std::int64_t>(segments_.size()); }
   std::int64_t element_updates() const { return evolution_->element_updates(); }

@@ -73,6 +73,11 @@ RunResult run(const RunRequest& request, const Context& context) {
         "nothing can crack (stress): it is zero everywhere; give stress.uniform, an impact or a "
         "painted stress that is not");
   }
+  if (!simulation.met_tolerance()) {
+    report.warnings.push_back(
+        "equilibrium was not always reached (evolution.residual): double precision ends before it; "
+        "cracks may open a little too early or late");
+  }
   report.load = simulation.load();
   report.time.prepare = cracked.prepare + last.prepare;
   report.time.relax = last.times.relax;
