@@ -66,8 +66,8 @@ CRAZE_WIDE float multiply(const std::int32_t* row_begin, const std::int32_t* col
   return py0 + py1;
 }
 
-/// What an iteration leaves.
-struct Progress {
+/// What a step of an iteration leaves.
+struct StepResult {
   float zr, zq;   ///< z·r and z·q
   float largest;  ///< |r|² of the node where it is largest
 };
@@ -80,7 +80,7 @@ struct Vectors {
 
 /// x += step p, r −= step q and z = the inverse of the diagonal blocks times r, for nodes
 /// [0, count); arrays have room up to a multiple of four nodes, and no more is changed there.
-CRAZE_WIDE Progress take_step(const Vectors& v, std::int32_t count, float step) {
+CRAZE_WIDE StepResult take_step(const Vectors& v, std::int32_t count, float step) {
   Lanes zr = {0, 0, 0, 0, 0, 0, 0, 0}, zq = zr, most = zr;
   for (std::int32_t i = 0; i < 2 * count; i += 8) {
     Lanes x, r, p, q, diagonal, off_diagonal;
@@ -260,9 +260,9 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
     const float step = zr / pq;
     ++iterations_;
     node_updates_ += loaded_;
-    Progress left = take_step({x_.data(), r_.data(), z_.data(), p_.data(), q_.data(),
-                               inverse_diagonal_.data(), inverse_off_diagonal_.data()},
-                              loaded_, step);
+    StepResult left = take_step({x_.data(), r_.data(), z_.data(), p_.data(), q_.data(),
+                                 inverse_diagonal_.data(), inverse_off_diagonal_.data()},
+                                loaded_, step);
     most = left.largest;
     allowed = std::max(allowed, precision * most);
     if (active_ < loaded_ && largest_in(active_, loaded_) > allowed) take_in_ring(left.zr, left.zq);
