@@ -1,6 +1,8 @@
 // What an element answers to virtual displacements of its corners: the heart of every hot loop.
 #pragma once
 
+#include <cmath>
+
 #include "craze/base/simd.h"
 #include "craze/model/stress_field.h"
 
@@ -13,6 +15,12 @@ struct ElementResponse {
   Vec4d::Lanes f1;       ///< ΔT₁₁ e₁ + ΔT₁₂ e₂ = −Δf₁ of Eq. 1
   Vec4d::Lanes f2;
 
+  /// A bound of the sizes of the three forces: of three that sum to zero none has more than two
+  /// thirds of the sum of squares.
+  double force_bound() const {
+    const Vec4d::Lanes f0 = f1 + f2, squares = f1 * f1 + f2 * f2 + f0 * f0;
+    return std::sqrt(2.0 / 3.0 * (squares[0] + squares[1] + squares[2]));
+  }
   void add_stress_to(Element& element) const {
     element.t[0] += t11;
     element.t[1] += t22;

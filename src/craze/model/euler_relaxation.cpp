@@ -22,10 +22,7 @@ CRAZE_WIDE void relax_elements(Element* elements, const Triangle* triangles, con
         element_response(elements[f], moves[corner[1]].v - p0, moves[corner[2]].v - p0);
     response.add_stress_to(elements[f]);
     const Vec4d::Lanes f1 = vector_part * response.f1, f2 = vector_part * response.f2;
-    const Vec4d::Lanes squares = f1 * f1 + f2 * f2 + (f1 + f2) * (f1 + f2);
-    // Of three forces that sum to zero none has more than two thirds of the sum of squares.
-    const Vec4d::Lanes bound = {0, 0, 0,
-                                std::sqrt(2.0 / 3.0 * (squares[0] + squares[1] + squares[2]))};
+    const Vec4d::Lanes bound = {0, 0, 0, response.force_bound()};
     force_change[corner[0]].v += bound + f1 + f2;
     force_change[corner[1]].v += bound - f1;
     force_change[corner[2]].v += bound - f2;

@@ -63,10 +63,7 @@ CRAZE_WIDE void displace_elements(Element* elements, const Triangle* triangles,
     const ElementResponse response = element_response(element, u1 - u0, u2 - u0);
     response.add_stress_to(element);
     const Vec4d::Lanes changes[3] = {response.f1 + response.f2, -response.f1, -response.f2};
-    // Of three forces that sum to zero none has more than two thirds of the sum of squares.
-    const Vec4d::Lanes squares =
-        changes[0] * changes[0] + changes[1] * changes[1] + changes[2] * changes[2];
-    const double most = std::sqrt(2.0 / 3.0 * (squares[0] + squares[1] + squares[2]));
+    const double most = response.force_bound();
     for (int c = 0; c < 3; ++c) {
       forces[corners[c]].v += changes[c];
       forces[corners[c]][3] = 0;
