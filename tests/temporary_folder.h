@@ -14,7 +14,8 @@ namespace craze {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "craze-test-XXXXXX").string();
+    const std::string pattern = "craze-test-" + std::string(6, 'X');  // mkdtemp's placeholder
+    std::string name = (std::filesystem::temp_directory_path() / pattern).string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
     path_ = name;
   }
