@@ -138,13 +138,13 @@ for name in LAYERS:
 # Spacing asked for.
 
 
-def spacing(shape, source, rounds, in_words):
+def spacing(shape, source, rounds):
     def measure(runs):
         parts, good = [], True
         for part in (0.02, 0.05, 0.1, 0.2):
             seeds = SEEDS if part >= 0.05 else SEEDS[:1]
-            done = [runs.run(source, "glaze", seed, layer__relative_spacing=part, layer__rounds=rounds)
-                    for seed in seeds]
+            done = [runs.run(source, "glaze", seed, layer__relative_spacing=part,
+                             layer__rounds=rounds) for seed in seeds]
             if None in done:
                 return None
             # Few cells lie whole inside an open shape at 20 %: all fragments are counted.
@@ -154,16 +154,16 @@ def spacing(shape, source, rounds, in_words):
             parts.append(f"{100 * part:.0f} %: {number(mean, error)}")
             good = good and abs(mean - 1) <= 0.15
         return "; ".join(parts), good
-    row(f"spacing measured over asked, {shape}, in up to {in_words} more rounds",
+    row(f"spacing measured over asked, {shape}, in up to {rounds} more rounds",
         "1 ± 0.15 at 2, 5, 10, 20 % of the diagonal", SEEDS)(measure)
 
 
 for shape, source in (("plate", "shape:plate?n=60&jitter=0.3"), ("sphere", "shape:sphere"),
                       ("cup", "shape:cup")):
-    spacing(shape, source, 4, "four")
+    spacing(shape, source, 4)
 # Few pieces on limbs and ears: one crack more or less changes the mean.
 for shape, source in (("bunny", "bunny_51k.obj"), ("dragon", "dragon_75k.obj")):
-    spacing(shape, source, 8, "eight")
+    spacing(shape, source, 8)
 
 
 @row("spacing ∝ ℓ, plate", "exponent 1 ± 0.1", SEEDS)
