@@ -22,7 +22,7 @@ struct PlaneBasis {
 /// PlaneBasis of its normal. The operator of the equilibrium (equilibrium.h), kept assembled, since
 /// a crack changes a few rows and many solves read the rest. Single precision: it only has to say
 /// which correction to make; what is left afterwards is computed from the forces themselves.
-/// About 160 bytes a node.
+/// About 240 bytes a node.
 class TangentStiffness {
  public:
   /// One row of 2x2 blocks, column-major (k00 k10 k01 k11). The first entry is the diagonal.

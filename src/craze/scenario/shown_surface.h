@@ -19,7 +19,7 @@ struct ShownSurface {
   std::vector<std::string> warnings;  ///< what could not be done as asked, a sentence each
 };
 
-/// `cut` is what output_surface() made of the simulation.
+/// `cut` is the cut mesh of the simulation, with the attributes that are to be shown.
 ShownSurface shown_surface(SurfaceMesh cut, const Simulation& simulation,
                            const PostParameters& post);
 
