@@ -353,7 +353,7 @@ void growing_patch(benchmark::State& state) {
   std::vector<std::int32_t> seed_patch(vertices, -1), mark(vertices, -1);
   for (const std::int32_t v : plate.seeds()) seed_patch[v] = 0;
   PatchSolver solver;
-  for (auto _ : state) solver.solve(layer, plate.seeds(), 0, seed_patch, mark);
+  for (auto _ : state) solver.solve(layer, plate.seeds(), 0, true, seed_patch, mark);
   state.counters["iterations"] = static_cast<double>(solver.iterations());
   state.counters["nodes"] = static_cast<double>(solver.active());
 }

@@ -16,6 +16,8 @@ namespace {
 
 // Forces are rounded: a tolerance below that is never reached, and these rounds tell.
 constexpr int most_stalled_rounds = 8;
+// A node with this part of the squared tolerance left is a seed of a patch.
+constexpr double seed_part = 0.25;
 
 /// |F − κ A u|² in the tangent plane; 0 where the node is held.
 double squared_residual(const LayerState& layer, std::int32_t v) {
@@ -55,21 +57,22 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
   } else if (static_cast<std::int32_t>(changed.size()) < mesh.vertex_count()) {
     stiffness_.update(mesh, field, changed, threads);
   }
-  const LayerState layer{mesh, field, stiffness_, fixed, options_.adhesion, options_.tolerance};
+  LayerState layer{mesh, field, stiffness_, fixed, options_.adhesion, options_.tolerance};
   const double allowed = options_.tolerance * options_.tolerance;
   std::vector<std::int32_t> open;
   double largest = 0;
   for (const std::int32_t v : changed) {
     const double residual = squared_residual(layer, v);
-    if (!(residual > 0.25 * allowed)) continue;
+    if (!(residual > seed_part * allowed)) continue;
     open.push_back(v);
     largest = std::max(largest, residual);
   }
   double best = std::numeric_limits<double>::infinity();
   int stalled = 0;
   while (!open.empty() && stalled < most_stalled_rounds) {
-    stalled = largest < 0.5 * best ? 0 : stalled + 1;
-    best = std::min(best, largest);
+    const bool gained = largest < 0.5 * best;
+    stalled = gained ? 0 : stalled + 1;
+    if (gained) best = largest;
     cluster(mesh, open);
     solve(layer, threads);
     apply(field, layer, threads);
@@ -85,8 +88,11 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
       open.insert(open.end(), patch.open.begin(), patch.open.end());
       largest = std::max(largest, patch.largest_residual);
     }
+    if (!(largest > allowed)) open.clear();
     std::sort(open.begin(), open.end());
     open.erase(std::unique(open.begin(), open.end()), open.end());
+    // What patches that overlap have left adds up, to more than the tolerance where many do.
+    layer.tolerance *= 0.5;
   }
   if (!open.empty()) met_tolerance_ = false;
 }
@@ -101,7 +107,7 @@ void Equilibrium::review(const LayerState& layer, std::size_t index) {
   for (const std::int32_t v : patch.solver.nodes()) {
     if (drift_[v] > allowed_[v]) patch.moved.push_back(v);
     const double residual = squared_residual(layer, v);
-    if (!(residual > allowed)) continue;
+    if (!(residual > seed_part * allowed)) continue;
     patch.open.push_back(v);
     patch.largest_residual = std::max(patch.largest_residual, residual);
   }
@@ -155,7 +161,8 @@ void Equilibrium::solve(const LayerState& layer, int threads) {
     mark.resize(layer.mesh.vertex_count(), -1);
     for (std::size_t i = next++; i < patch_count_; i = next++) {
       Patch& patch = patches_[i];
-      patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), seed_patch_, mark);
+      patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), patch_count_ == 1,
+                         seed_patch_, mark);
     }
   });
   for (std::size_t i = 0; i < patch_count_; ++i) {

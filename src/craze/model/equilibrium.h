@@ -61,9 +61,9 @@ class Equilibrium {
     PatchSolver solver;
     std::vector<Vec4d> displacements;  // of the solver's active nodes
     std::vector<std::int32_t> faces;   // around the solver's nodes
-    // Nodes whose forces changed more than was allowed; that are not in equilibrium yet.
+    // Nodes whose forces changed more than was allowed; seeds of the next round, if there is one.
     std::vector<std::int32_t> moved, open;
-    double largest_residual = 0;  // of the open ones, squared
+    double largest_residual = 0;  // of those, squared
   };
 
   void cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds);
