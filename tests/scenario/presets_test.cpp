@@ -8,6 +8,7 @@
 #include "craze/base/error.h"
 #include "craze/scenario/nearest_name.h"
 #include "craze/scenario/parameter_reference.h"
+#include "scenario/claims.h"
 
 namespace craze {
 namespace {
@@ -28,6 +29,29 @@ TEST(Presets, AMisspeltNameIsMet) {
   } catch (const Error& e) {
     EXPECT_STREQ(e.what(), "unknown preset glaize: did you mean glaze?");
     EXPECT_EQ(e.kind(), ErrorKind::usage);
+  }
+}
+
+/// Of the legs of the T's, the mean angle with their crossbar, over several seeds, degrees.
+double leg_angle(const Recipe& recipe) {
+  constexpr int seeds = 8;
+  StatisticsOptions options;
+  options.bootstrap.resamples = 0;
+  double sum = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const test::Cracked cracked = test::crack("plate?n=60&jitter=0.3", recipe, seed);
+    const Simulation& s = cracked.simulation;
+    sum += compute_statistics(graph_from_network(s.network(), s.mesh()), options).leg_angle.value;
+  }
+  return sum / seeds;
+}
+
+TEST(Presets, CracksOfMudAndGlazeMeetSquarely) {
+  for (const char* name : {"mud", "glaze"}) {
+    Recipe recipe = test::coarse_preset(name, 0.06);
+    EXPECT_GT(leg_angle(recipe), 85) << name;
+    recipe.simulation.material.relative_lookahead = 0;
+    EXPECT_LT(leg_angle(recipe), 84) << name;
   }
 }
 

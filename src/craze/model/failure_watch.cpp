@@ -24,6 +24,7 @@ constexpr double unwatched_part = 0.35;
 FailureWatch::FailureWatch(const SimulationParameters& parameters)
     : alpha_(parameters.material.alpha),
       bias_(parameters.material.bias),
+      lookahead_(parameters.material.lookahead),
       criterion_(parameters.material, process_zone(parameters.material, parameters.layer)) {}
 
 void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes, int threads) {
@@ -84,16 +85,19 @@ void FailureWatch::enter(const Scene& scene, std::int32_t v) {
   queue_.set(v, key * highest > 1 ? key : 0);
 }
 
+Sym3 FailureWatch::biased(const Scene& scene, std::int32_t v, const Sym3& separation) const {
+  if (scene.fields.preferred.empty()) return separation;
+  const std::int32_t f = TriangleMesh::face_of(scene.mesh.first_halfedge(v));
+  return bias_direction(separation, scene.fields.preferred[scene.mesh.source_face(f)], bias_);
+}
+
 Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) {
   const double scale =
       std::max(least_scale, mean_factor(scene.mesh, scene.fields.toughness_scale, v));
   const double load = scene.evolution.load();
   const double weight = mean_factor(scene.mesh, scene.fields.separation_scale, v);
-  Sym3 tensor = weight * separation_tensor(scene.mesh, scene.field, v).tensor;
-  if (!scene.fields.preferred.empty()) {
-    const std::int32_t f = scene.mesh.first_halfedge(v) / 3;
-    tensor = bias_direction(tensor, scene.fields.preferred[scene.mesh.source_face(f)], bias_);
-  }
+  const Sym3 tensor =
+      biased(scene, v, weight * separation_tensor(scene.mesh, scene.field, v).tensor);
   const auto residual = residuals_.find(v);
   // A tip with a residual fails with its help now, or without it later.
   Failure failure;
@@ -139,6 +143,22 @@ Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3&
   return failure;
 }
 
+Vec3 FailureWatch::crack_normal(const Scene& scene, std::int32_t v) {
+  const Vec3& normal = failing_[v].normal;
+  if (!(lookahead_ > 0) || !is_crack_tip(scene.mesh, v)) return normal;
+  const Sym3 stress = stress_ahead_.mean(scene.mesh, scene.field, v, lookahead_);
+  // The v⁺ of a tension is node_width() times it.
+  const double width = node_width(scene.mesh, v, normal);
+  Sym3 driven =
+      biased(scene, v, mean_factor(scene.mesh, scene.fields.separation_scale, v) * width * stress);
+  const auto residual = residuals_.find(v);
+  if (residual != residuals_.end()) driven += (1 / scene.evolution.load()) * residual->second;
+  const Eigenpair plane = scene.fields.healed.empty()
+                              ? largest_eigenpair(driven)
+                              : scene.fields.healed.weakest_plane(weakness(scene, v), driven).plane;
+  return plane.value > 0 ? plane.vector : normal;
+}
+
 const Mat3& FailureWatch::weakness(const Scene& scene, std::int32_t v) {
   Scar& scar = scars_[v];
   const Vec3& position = scene.mesh.position(v);
@@ -154,8 +174,8 @@ void FailureWatch::could_not_open(std::int32_t v) {
   arrested_[v] = failing_[v].normal;
 }
 
-void FailureWatch::opened(const Scene& scene, std::int32_t v, const CrackOutcome& outcome,
-                          std::vector<std::int32_t>& changed) {
+void FailureWatch::opened(const Scene& scene, std::int32_t v, const Vec3& normal,
+                          const CrackOutcome& outcome, std::vector<std::int32_t>& changed) {
   // [IO06 Eq. 8] The residual v* = v⁺ − τ drives the new tips on.
   const Failure failure = failing_[v];
   const double excess =
@@ -164,7 +184,7 @@ void FailureWatch::opened(const Scene& scene, std::int32_t v, const CrackOutcome
   residuals_.erase(v);
   for (const std::int32_t tip : outcome.tips) {
     Sym3 residual;
-    add_outer(residual, alpha_ * excess, failure.normal);
+    add_outer(residual, alpha_ * excess, normal);
     residuals_[tip] = residual;
     criterion_.tip_advanced(scene.mesh, v, tip);
   }

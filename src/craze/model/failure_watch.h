@@ -13,6 +13,7 @@
 #include "craze/model/failure_queue.h"
 #include "craze/model/parameters.h"
 #include "craze/model/simulation_fields.h"
+#include "craze/model/stress_ahead.h"
 #include "craze/model/stress_field.h"
 
 namespace craze {
@@ -49,7 +50,9 @@ class FailureWatch {
   /// The node with the greatest measure, evaluated exactly; −1 where none can fail.
   std::int32_t next(const Scene& scene);
   double measure(std::int32_t v) const { return queue_.measure(v); }
-  const Failure& failure(std::int32_t v) const { return failing_[v]; }
+  /// The normal of the plane by which v, that next() found, opens: n̂⁺ of ς, or, for a tip that
+  /// looks ahead, of the mean stress there (stress_ahead.h) in the place of ς.
+  Vec3 crack_normal(const Scene& scene, std::int32_t v);
 
   /// Whether any node would fail under some load, however high; asked where next() finds none.
   bool can_any_fail() const;
@@ -60,8 +63,9 @@ class FailureWatch {
 
   /// v failed but no segment was admissible: it is left alone until the plane turns.
   void could_not_open(std::int32_t v);
-  /// v failed and opened. Appends the nodes to look at again, besides those that evolve() names.
-  void opened(const Scene& scene, std::int32_t v, const CrackOutcome& outcome,
+  /// v failed and opened on a plane of that normal. Appends the nodes to look at again, besides
+  /// those that evolve() names.
+  void opened(const Scene& scene, std::int32_t v, const Vec3& normal, const CrackOutcome& outcome,
               std::vector<std::int32_t>& changed);
 
  private:
@@ -71,14 +75,16 @@ class FailureWatch {
     Mat3 weakness = Mat3::Zero();
   };
 
+  Sym3 biased(const Scene& scene, std::int32_t v, const Sym3& separation) const;
   Failure evaluate(const Scene& scene, std::int32_t v, bool exact);
   Failure failure_of(const Scene& scene, std::int32_t v, const Sym3& separation, double scale,
                      bool exact);
   const Mat3& weakness(const Scene& scene, std::int32_t v);
   void enter(const Scene& scene, std::int32_t v);
 
-  double alpha_, bias_;
+  double alpha_, bias_, lookahead_;
   FailureCriterion criterion_;
+  StressAhead stress_ahead_;
   FailureQueue queue_;                                // by measure, or its upper bound
   std::vector<Failure> failing_;                      // #V
   std::vector<Scar> scars_;                           // #V where cracks have healed

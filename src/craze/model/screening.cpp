@@ -44,6 +44,9 @@ SimulationParameters resolve_lengths(SimulationParameters p, double diagonal) {
                                   ? material.relative_scatter_length * layer.screening_length
                                   : p.stress.noise_length;
   }
+  if (material.lookahead == 0) {
+    material.lookahead = material.relative_lookahead * layer.screening_length;
+  }
   if (material.criterion == Criterion::strength && material.relative_toughness > 0) {
     material.toughness =
         material.relative_toughness * material.strength * std::sqrt(layer.screening_length);

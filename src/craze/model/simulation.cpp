@@ -183,20 +183,19 @@ bool Simulation::crack_at(std::int32_t v) {
   const CrackRules rules{parameters_.crack.snap_angle * std::numbers::pi / 180,
                          parameters_.crack.back_angle * std::numbers::pi / 180,
                          parameters_.crack.near_vertex};
-  const Failure failure = watch_.failure(v);
-  open_crack(mesh_, field_, v, failure.normal, rules, static_cast<std::int32_t>(segments()),
-             outcome_);
+  const Vec3 normal = watch_.crack_normal(scene(), v);
+  open_crack(mesh_, field_, v, normal, rules, static_cast<std::int32_t>(segments()), outcome_);
   if (outcome_.empty()) {
     watch_.could_not_open(v);
     return false;
   }
   const Vec3 start = mesh_.position(v);  // a copy: the mesh's own moves as it grows
-  run_on(start, failure.normal, rules);
+  run_on(start, normal, rules);
   for (const CrackSegment& s : outcome_.segments) {
     segments_.push_back({s, evolution_->time(), static_cast<std::int32_t>(events_)});
   }
   ++events_;
-  watch_.opened(scene(), v, outcome_, changed_);
+  watch_.opened(scene(), v, normal, outcome_, changed_);
   hold_new_nodes();
   evolution_->mesh_changed(mesh_, outcome_);
   return true;

@@ -125,6 +125,12 @@ std::vector<Parameter> make_table() {
       .add("relative_scatter_length", &MaterialParameters::relative_scatter_length, not_negative,
            {.help =
                 "scatter_length as a multiple of the screening length, where scatter_length is 0"})
+      .add("lookahead", &MaterialParameters::lookahead, not_negative,
+           {.help = "length ahead of a crack tip over whose mean stress it turns, so that it meets "
+                    "other cracks squarely; 0: it turns by the forces at the tip alone",
+            .unit = "length"})
+      .add("relative_lookahead", &MaterialParameters::relative_lookahead, not_negative,
+           {.help = "lookahead as a multiple of the screening length, where lookahead is 0"})
       .add("curvature_scale", &MaterialParameters::curvature_scale, any,
            {.help = "what of the curvature multiplies the separation tensor",
             .source = "[IO06 §4.1, Figs. 4, 10]",
