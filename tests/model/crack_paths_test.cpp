@@ -1,6 +1,7 @@
 // How cracks run: what the pattern shows, measured on several seeds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/border_angles.h"
@@ -66,6 +67,52 @@ TEST(CrackPaths, ALargerResidualDrivesATipFurtherEquation8) {
   }
   EXPECT_GT(half, 1.5 * none);
   EXPECT_GT(full, 1.2 * half);
+}
+
+/// Nodes inside a plate where a crack that ended there went on in two directions at once.
+int forked_tips(const CrackNetwork& network) {
+  std::vector<std::vector<std::int32_t>> events_from(network.nodes.size());
+  std::vector<std::vector<std::int32_t>> events_at(network.nodes.size());
+  for (const CrackEdge& e : network.edges) {
+    events_from[e.a].push_back(e.event);
+    for (const std::int32_t n : {e.a, e.b}) events_at[n].push_back(e.event);
+  }
+  int forked = 0;
+  for (std::size_t n = 0; n < network.nodes.size(); ++n) {
+    if (network.nodes[n].position.cwiseAbs().maxCoeff() > 0.499) continue;
+    for (const std::int32_t event : events_from[n]) {
+      const auto same = std::count(events_from[n].begin(), events_from[n].end(), event);
+      const auto earlier = std::count_if(events_at[n].begin(), events_at[n].end(),
+                                         [&](std::int32_t other) { return other < event; });
+      if (same > 1 && earlier == 1) ++forked;
+    }
+  }
+  return forked;
+}
+
+TEST(CrackPaths, ATipThatLooksAheadNeverForksBackward) {
+  SimulationParameters p;
+  p.engine = Engine::quasistatic;
+  p.material.criterion = Criterion::strength;
+  p.material.strength = 1;
+  p.material.relative_toughness = 0.5;
+  p.layer.screening_length = 0.1;
+  p.evolution.max_load = 2;
+  const TriangleMesh mesh = test::mesh_of("plate?n=40&jitter=0.3");
+  SimulationFields fields = test::noisy_tension(mesh, 1);
+  Random random(2);
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    fields.toughness_scale.push_back(random.uniform(0.3, 1.7));
+  }
+  const auto forked = [&](double lookahead) {
+    p.material.relative_lookahead = lookahead;
+    Simulation s(mesh, fields, p, {});
+    s.run({});
+    EXPECT_GT(s.events(), 100);
+    return forked_tips(s.network());
+  };
+  EXPECT_GT(forked(0), 0);
+  for (const double lookahead : {0.1, 0.8}) EXPECT_EQ(forked(lookahead), 0) << lookahead;
 }
 
 }  // namespace

@@ -180,9 +180,11 @@ void Simulation::crack_mesh() {
 }
 
 bool Simulation::crack_at(std::int32_t v) {
-  const CrackRules rules{parameters_.crack.snap_angle * std::numbers::pi / 180,
-                         parameters_.crack.back_angle * std::numbers::pi / 180,
-                         parameters_.crack.near_vertex};
+  constexpr double degree = std::numbers::pi / 180;
+  CrackRules rules{parameters_.crack.snap_angle * degree, parameters_.crack.back_angle * degree,
+                   parameters_.crack.near_vertex};
+  // A tip that looks ahead runs ahead.
+  if (parameters_.material.lookahead > 0 && is_crack_tip(mesh_, v)) rules.back_angle = 90 * degree;
   const Vec3 normal = watch_.crack_normal(scene(), v);
   open_crack(mesh_, field_, v, normal, rules, static_cast<std::int32_t>(segments()), outcome_);
   if (outcome_.empty()) {
