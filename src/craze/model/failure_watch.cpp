@@ -143,12 +143,14 @@ Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3&
   return failure;
 }
 
-Vec3 FailureWatch::crack_normal(const Scene& scene, std::int32_t v) {
+CrackPlane FailureWatch::crack_plane(const Scene& scene, std::int32_t v) {
   const Vec3& normal = failing_[v].normal;
-  if (!(lookahead_ > 0) || !is_crack_tip(scene.mesh, v)) return normal;
+  if (!(lookahead_ > 0) || !is_crack_tip(scene.mesh, v)) return {normal, false};
+  const double width = node_width(scene.mesh, v, normal);
+  // A mean over less than the tip's star tells less than ς does.
+  if (lookahead_ < width) return {normal, false};
   const Sym3 stress = stress_ahead_.mean(scene.mesh, scene.field, v, lookahead_);
   // The v⁺ of a tension is node_width() times it.
-  const double width = node_width(scene.mesh, v, normal);
   Sym3 driven =
       biased(scene, v, mean_factor(scene.mesh, scene.fields.separation_scale, v) * width * stress);
   const auto residual = residuals_.find(v);
@@ -156,7 +158,8 @@ Vec3 FailureWatch::crack_normal(const Scene& scene, std::int32_t v) {
   const Eigenpair plane = scene.fields.healed.empty()
                               ? largest_eigenpair(driven)
                               : scene.fields.healed.weakest_plane(weakness(scene, v), driven).plane;
-  return plane.value > 0 ? plane.vector : normal;
+  if (!(plane.value > 0)) return {normal, false};
+  return {plane.vector, true};
 }
 
 const Mat3& FailureWatch::weakness(const Scene& scene, std::int32_t v) {

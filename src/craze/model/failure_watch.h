@@ -28,6 +28,12 @@ struct Failure {
   bool exact = false;        ///< else measure is an upper bound
 };
 
+/// By what plane a node opens.
+struct CrackPlane {
+  Vec3 normal = Vec3::Zero();  ///< unit
+  bool ahead_only = false;     ///< it is a tip's, found by what lies ahead: nothing opens behind
+};
+
 /// The priority queue of the nodes that can fail, kept by upper bounds. A node far from failing
 /// enters with what its v⁺ could become at most, and is not looked at again until the forces on it
 /// have changed by as much; only what comes to the top is evaluated exactly. So a crack costs a few
@@ -50,9 +56,9 @@ class FailureWatch {
   /// The node with the greatest measure, evaluated exactly; −1 where none can fail.
   std::int32_t next(const Scene& scene);
   double measure(std::int32_t v) const { return queue_.measure(v); }
-  /// The normal of the plane by which v, that next() found, opens: n̂⁺ of ς, or, for a tip that
-  /// looks ahead, of the mean stress there (stress_ahead.h) in the place of ς.
-  Vec3 crack_normal(const Scene& scene, std::int32_t v);
+  /// The plane by which v, that next() found, opens: n̂⁺ of ς, or, for a tip that looks ahead, of
+  /// the mean stress there (stress_ahead.h) in the place of ς.
+  CrackPlane crack_plane(const Scene& scene, std::int32_t v);
 
   /// Whether any node would fail under some load, however high; asked where next() finds none.
   bool can_any_fail() const;

@@ -181,11 +181,10 @@ void Simulation::crack_mesh() {
 
 bool Simulation::crack_at(std::int32_t v) {
   constexpr double degree = std::numbers::pi / 180;
-  CrackRules rules{parameters_.crack.snap_angle * degree, parameters_.crack.back_angle * degree,
-                   parameters_.crack.near_vertex};
-  // A tip that looks ahead runs ahead.
-  if (parameters_.material.lookahead > 0 && is_crack_tip(mesh_, v)) rules.back_angle = 90 * degree;
-  const Vec3 normal = watch_.crack_normal(scene(), v);
+  const auto [normal, ahead_only] = watch_.crack_plane(scene(), v);
+  const double back_angle = ahead_only ? 90 : parameters_.crack.back_angle;
+  const CrackRules rules{parameters_.crack.snap_angle * degree, back_angle * degree,
+                         parameters_.crack.near_vertex};
   open_crack(mesh_, field_, v, normal, rules, static_cast<std::int32_t>(segments()), outcome_);
   if (outcome_.empty()) {
     watch_.could_not_open(v);

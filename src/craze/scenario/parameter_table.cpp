@@ -127,8 +127,9 @@ std::vector<Parameter> make_table() {
                 "scatter_length as a multiple of the screening length, where scatter_length is 0"})
       .add("lookahead", &MaterialParameters::lookahead, not_negative,
            {.help = "length ahead of a crack tip over whose mean stress it turns, so that it meets "
-                    "other cracks squarely, and never backward; 0: it turns by the forces at the "
-                    "tip alone",
+                    "other cracks squarely, and never backward; 0, or less than an edge: it "
+                    "turns by the "
+                    "forces at the tip alone",
             .unit = "length"})
       .add("relative_lookahead", &MaterialParameters::relative_lookahead, not_negative,
            {.help = "lookahead as a multiple of the screening length, where lookahead is 0"})
