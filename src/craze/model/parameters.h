@@ -56,8 +56,7 @@ struct MaterialParameters {
   double scatter = 0;             ///< relative scatter of the strength
   double scatter_length = 0;      ///< its correlation length; 0: the stress's noise_length
   double relative_scatter_length = 0;  ///< scatter_length as a multiple of ℓ, where that is 0
-  double lookahead =
-      0;  ///< length ahead of a tip by whose stress it turns, ahead only; 0: its own ς
+  double lookahead = 0;           ///< length ahead of a tip by whose stress it turns; 0: its own ς
   double relative_lookahead = 0;  ///< lookahead as a multiple of ℓ, where that is 0
   CurvatureScale curvature_scale = CurvatureScale::none;
   double bias = 0;        ///< preference for principal directions (Fig. 2)
