@@ -69,12 +69,13 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
   }
   double best = std::numeric_limits<double>::infinity();
   int stalled = 0;
-  while (!open.empty() && stalled < most_stalled_rounds) {
+  for (bool again = false; !open.empty() && stalled < most_stalled_rounds; again = true) {
     const bool gained = largest < 0.5 * best;
     stalled = gained ? 0 : stalled + 1;
     if (gained) best = largest;
     cluster(mesh, open);
-    solve(layer, threads);
+    // The first time patches are far apart, and what little is left between them goes with them.
+    solve(layer, !again || patch_count_ == 1, threads);
     apply(field, layer, threads);
     parallel_for(threads, patch_count_, 1, [&](std::size_t i, std::size_t) { review(layer, i); });
     open.clear();
@@ -150,7 +151,7 @@ void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32
   }
 }
 
-void Equilibrium::solve(const LayerState& layer, int threads) {
+void Equilibrium::solve(const LayerState& layer, bool takes_all, int threads) {
   const std::size_t workers =
       std::min(patch_count_, static_cast<std::size_t>(thread_count(threads)));
   if (marks_.size() < workers) marks_.resize(workers);
@@ -161,8 +162,8 @@ void Equilibrium::solve(const LayerState& layer, int threads) {
     mark.resize(layer.mesh.vertex_count(), -1);
     for (std::size_t i = next++; i < patch_count_; i = next++) {
       Patch& patch = patches_[i];
-      patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), patch_count_ == 1,
-                         seed_patch_, mark);
+      patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), takes_all, seed_patch_,
+                         mark);
     }
   });
   for (std::size_t i = 0; i < patch_count_; ++i) {

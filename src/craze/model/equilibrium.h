@@ -67,7 +67,7 @@ class Equilibrium {
   };
 
   void cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds);
-  void solve(const LayerState& layer, int threads);
+  void solve(const LayerState& layer, bool takes_all, int threads);
   void apply(StressField& field, const LayerState& layer, int threads);
   void apply(StressField& field, const LayerState& layer, Patch& patch);
   void review(const LayerState& layer, std::size_t patch);

@@ -135,9 +135,9 @@ void PatchSolver::read_residuals(const Task& task) {
   auto i = static_cast<std::size_t>(residuals_);
   r_.resize(2 * i);
   for (; i < nodes_.size(); ++i) {
-    const std::int32_t v = nodes_[i];
+    const std::int32_t v = nodes_[i], owner = task.seed_patch[v];
     if (i + ahead < nodes_.size()) task.layer.prefetch(nodes_[i + ahead]);
-    if (!task.is_only_one && task.seed_patch[v] != task.patch) {
+    if (owner != task.patch && (owner >= 0 || !task.takes_all)) {
       r_.insert(r_.end(), 2, 0.0F);
       continue;
     }
@@ -211,7 +211,7 @@ void PatchSolver::clear() {
 }
 
 void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>& seeds,
-                        std::int32_t patch, bool is_only_one,
+                        std::int32_t patch, bool takes_all,
                         const std::vector<std::int32_t>& seed_patch,
                         std::vector<std::int32_t>& mark) {
   // Residuals are counted in tolerances, or in millionths of the largest where that is more: their
@@ -225,7 +225,7 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
   const double half_tolerance = 0.5 * layer.tolerance / scale_;
   const auto solved = static_cast<float>(half_tolerance * half_tolerance);
   clear();
-  const Task task{layer, patch, is_only_one, seed_patch, mark};
+  const Task task{layer, patch, takes_all, seed_patch, mark};
   for (const std::int32_t v : seeds) {
     if (mark[v] == -1 && !layer.is_fixed(v)) join(task, v);
   }

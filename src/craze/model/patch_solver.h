@@ -46,11 +46,11 @@ class PatchSolver {
   /// Solves until no residual is above half the tolerance, or as far as single precision goes; only
   /// the forces themselves tell what is left. The problem is linear, so changes in different places
   /// may be solved apart and their answers added, however near they are, as long as each residual
-  /// is in one of them: `seed_patch` (#V) says which patch a node is a seed of (−1: none), and
-  /// unless the patch is the only one, the residual of a node that is none of its seeds counts as
-  /// zero. `mark` (#V, −1 everywhere, and again at the end) is scratch.
+  /// is in one of them: `seed_patch` (#V) says which patch a node is a seed of (−1: none). The
+  /// residual of another's seed counts as zero; that of a node that is nobody's is taken up too
+  /// where the patch `takes_all`, which patches that overlap must not do again and again. `mark` (#V, −1 everywhere, and again at the end) is scratch.
   void solve(const LayerState& layer, const std::vector<std::int32_t>& seeds, std::int32_t patch,
-             bool is_only_one, const std::vector<std::int32_t>& seed_patch,
+             bool takes_all, const std::vector<std::int32_t>& seed_patch,
              std::vector<std::int32_t>& mark);
 
   /// Nodes read, by rings around the seeds.
@@ -69,7 +69,7 @@ class PatchSolver {
   struct Task {
     const LayerState& layer;
     std::int32_t patch;
-    bool is_only_one;
+    bool takes_all;
     const std::vector<std::int32_t>& seed_patch;
     std::vector<std::int32_t>& mark;  // of a node read: its index in nodes_
   };
