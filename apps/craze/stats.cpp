@@ -8,6 +8,7 @@
 #include "craze/io/atomic_file.h"
 #include "craze/stats/graph_input.h"
 #include "craze/stats/plots.h"
+#include "craze/stats/simplify_lines.h"
 #include "craze/stats/statistics_report.h"
 
 namespace craze::app {
@@ -37,6 +38,7 @@ void write_plots(const std::filesystem::path& folder, const CrackGraphInput& gra
 void add_stats(CLI::App& app, Action& action) {
   struct Options {
     std::string input, plots;
+    double simplify = 0;
     bool json = false;
   };
   const auto options = std::make_shared<Options>();
@@ -47,17 +49,23 @@ void add_stats(CLI::App& app, Action& action) {
       ->required()
       ->type_name("");
   verb->add_flag("--json", options->json, "As JSON");
+  verb->add_option("--simplify", options->simplify,
+                   "Draw lines by as few of their points as stay within this of them, "
+                   "in the unit of the input: a pixel for a skeleton")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("LENGTH");
   verb->add_option("--plots", options->plots,
                    "Write histograms and pictures of the graph into this folder, as SVG")
       ->type_name("DIR");
   verb->footer(
       "Examples:\n"
       "  craze stats cracked.ply\n"
-      "  craze stats skeleton.json --json | jq .angles.t\n"
+      "  craze stats skeleton.json --simplify 1 --json | jq .angles.t\n"
       "  craze stats null:voronoi?cells=500 --plots plots");
   verb->callback([options, &action] {
     action = [options] {
-      const CrackGraphInput graph = graph_from_file(options->input);
+      CrackGraphInput graph = graph_from_file(options->input);
+      simplify_lines(graph, options->simplify);
       const StatisticsWithSensitivity statistics = compute_with_sensitivity(graph);
       if (!options->plots.empty()) write_plots(options->plots, graph, statistics.result);
       const std::vector<NullRow> nulls = null_rows({});

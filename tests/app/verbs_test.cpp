@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
@@ -44,6 +45,40 @@ TEST_F(Verbs, CheckSaysWhatRepairWouldDo) {
   EXPECT_EQ(json["repair"]["degenerate_faces"], 1);
   EXPECT_EQ(json["repaired"]["triangles"], 2);
   EXPECT_EQ(json["sound"], false);
+}
+
+TEST_F(Verbs, StatsTakesTheStepsOfPixelsOutOfASkeleton) {
+  // A tilted grid of squares, 30 pixels wide, as a skeleton: from pixel to pixel.
+  nlohmann::json lines{{"points", nlohmann::json::array()}, {"edges", nlohmann::json::array()}};
+  const auto add = [&](double u, double v) {
+    const double c = std::cos(0.35), s = std::sin(0.35);
+    lines["points"].push_back({std::round(c * u - s * v), std::round(s * u + c * v), 0});
+    return lines["points"].size() - 1;
+  };
+  constexpr int cells = 8, width = 30;
+  for (int line = 0; line <= cells; ++line) {
+    for (const bool across : {false, true}) {
+      std::size_t last = 0;
+      for (int t = 0; t <= cells * width; ++t) {
+        const std::size_t next = across ? add(line * width, t) : add(t, line * width);
+        if (t > 0 && lines["points"][next] != lines["points"][last]) {
+          lines["edges"].push_back({last, next});
+        }
+        last = next;
+      }
+    }
+  }
+  std::ofstream(file("skeleton.json")) << lines;
+  const auto tortuosity = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"stats", "skeleton.json", "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const CommandResult result = run(arguments);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return nlohmann::json::parse(result.out)["edges"]["tortuosity"]["value"].get<double>();
+  };
+  EXPECT_GT(tortuosity({}), 1.07);
+  EXPECT_NEAR(tortuosity({"--simplify", "1"}), 1, 0.005);
+  EXPECT_EQ(run({"stats", "skeleton.json", "--simplify", "-1"}).code, 2);
 }
 
 TEST_F(Verbs, RenderTakesAPictureOfTheSizeAskedFor) {
