@@ -60,6 +60,20 @@ class Runner:
         loaded = json.loads(report.read_text())
         return (loaded, json.loads(drawn.read_text())) if lines else loaded
 
+    def stats(self, lines, *options):
+        """The report's statistics of lines that no run has made."""
+        text = json.dumps(lines)
+        name = hashlib.sha256("\n".join([self.program, text, *options]).encode()).hexdigest()[:24]
+        kept = self.cache / f"{name}.stats.json"
+        if not kept.exists():
+            drawn = self.cache / f"{name}.{os.getpid()}-{threading.get_ident()}.json"
+            drawn.write_text(text)
+            command = [self.craze, "stats", str(drawn), "--json", *options]
+            found = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+            drawn.unlink()
+            kept.write_text(found)
+        return {"statistics": json.loads(kept.read_text())}
+
 
 def value(report, key):
     """A value of the report's statistics, NaN where it was not measured."""
