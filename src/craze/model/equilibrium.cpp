@@ -69,12 +69,16 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
   }
   double best = std::numeric_limits<double>::infinity();
   int stalled = 0;
+  double part = 1;  // of the tolerance
   for (bool again = false; !open.empty() && stalled < most_stalled_rounds; again = true) {
     const bool gained = largest < 0.5 * best;
     stalled = gained ? 0 : stalled + 1;
     if (gained) best = largest;
     cluster(mesh, open);
-    // The first time patches are far apart, and what little is left between them goes with them.
+    // What patches that overlap have left adds up, to more than the tolerance where many do. The
+    // first time they are far apart, and what little is left between them goes with them.
+    if (again) part *= 0.5;
+    layer.tolerance = patch_count_ > 1 ? part * options_.tolerance : options_.tolerance;
     solve(layer, !again || patch_count_ == 1, threads);
     apply(field, layer, threads);
     parallel_for(threads, patch_count_, 1, [&](std::size_t i, std::size_t) { review(layer, i); });
@@ -89,11 +93,8 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
       open.insert(open.end(), patch.open.begin(), patch.open.end());
       largest = std::max(largest, patch.largest_residual);
     }
-    if (!(largest > allowed)) open.clear();
     std::sort(open.begin(), open.end());
     open.erase(std::unique(open.begin(), open.end()), open.end());
-    // What patches that overlap have left adds up, to more than the tolerance where many do.
-    layer.tolerance *= 0.5;
   }
   if (!open.empty()) met_tolerance_ = false;
 }
@@ -108,7 +109,7 @@ void Equilibrium::review(const LayerState& layer, std::size_t index) {
   for (const std::int32_t v : patch.solver.nodes()) {
     if (drift_[v] > allowed_[v]) patch.moved.push_back(v);
     const double residual = squared_residual(layer, v);
-    if (!(residual > seed_part * allowed)) continue;
+    if (!(residual > allowed)) continue;
     patch.open.push_back(v);
     patch.largest_residual = std::max(patch.largest_residual, residual);
   }

@@ -48,7 +48,8 @@ class PatchSolver {
   /// may be solved apart and their answers added, however near they are, as long as each residual
   /// is in one of them: `seed_patch` (#V) says which patch a node is a seed of (−1: none). The
   /// residual of another's seed counts as zero; that of a node that is nobody's is taken up too
-  /// where the patch `takes_all`, which patches that overlap must not do again and again. `mark` (#V, −1 everywhere, and again at the end) is scratch.
+  /// where the patch `takes_all`, which patches that overlap must not do again and again. `mark`
+  /// (#V, −1 everywhere, and again at the end) is scratch.
   void solve(const LayerState& layer, const std::vector<std::int32_t>& seeds, std::int32_t patch,
              bool takes_all, const std::vector<std::int32_t>& seed_patch,
              std::vector<std::int32_t>& mark);
