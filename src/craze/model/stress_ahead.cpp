@@ -16,7 +16,7 @@ Sym3 turned(const Sym3& stress, const Vec3& from, const Vec3& to) {
 
 Sym3 StressAhead::mean(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
                        double length) {
-  const Vec3 tip = mesh.position(v), normal = field.normals()[v];
+  const Vec3 &tip = mesh.position(v), &normal = field.normals()[v];
   const Vec3 back = mesh.position(mesh.to(mesh.first_halfedge(v))) - tip;
   reached_.resize(mesh.face_count(), 0);
   ++round_;

@@ -91,6 +91,7 @@ void simplify_lines(CrackGraphInput& graph, double tolerance) {
       e = at[p][0] == e ? at[p][1] : at[p][0];
     } while (p != start);
     std::vector<Vec3> line;
+    line.reserve(chain.size());
     for (const std::int32_t i : chain) line.push_back(graph.points[i]);
     GraphInputEdge piece = graph.edges[first];
     if (piece.a != start) std::swap(piece.left_piece, piece.right_piece);
