@@ -111,14 +111,18 @@ resolution("edges.tortuosity", "tortuosity")
 LAYERS = ("glaze", "mud", "mud-mature", "paint", "concrete-crazing", "crackle-glass")
 
 
+def judged(numbers, passes, percent):
+    mean, error = mean_and_error(numbers)
+    shown = number(100 * mean, 100 * error, " %") if percent else number(mean, error)
+    return shown, passes(mean)
+
+
 def preset_value(preset, key, target, passes, percent=False):
     seeds = SEEDS if preset == "mud-mature" else MORE_SEEDS
 
     def measure(runs):
         numbers = [value(runs.run(PLATE, preset, seed), key) for seed in seeds]
-        mean, error = mean_and_error(numbers)
-        shown = number(100 * mean, 100 * error, " %") if percent else number(mean, error)
-        return shown, passes(mean)
+        return judged(numbers, passes, percent)
     row(f"{preset}, {key}", target, seeds)(measure)
 
 
@@ -239,9 +243,7 @@ def as_skeleton(preset, pixels, key, target, passes, percent=False):
             report, lines = runs.run(PLATE, preset, seed, True)
             size = report["recipe"]["layer"]["spacing"] / pixels
             numbers.append(value(runs.stats(skeleton_graph(lines, size), "--simplify", "1"), key))
-        mean, error = mean_and_error(numbers)
-        shown = number(100 * mean, 100 * error, " %") if percent else number(mean, error)
-        return shown, passes(mean)
+        return judged(numbers, passes, percent)
     row(f"{preset} as a skeleton, {pixels} pixels a spacing, {key}", target, MORE_SEEDS)(measure)
 
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "bake/surfaces.h"
-#include "craze/bake/segment_distance.h"
 #include "craze/base/random.h"
+#include "craze/base/segment_distance.h"
 
 namespace craze {
 namespace {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "craze/base/random.h"
+#include "craze/base/segment_distance.h"
 
 namespace craze {
 namespace {
@@ -77,8 +78,7 @@ TEST(SimplifyLines, NothingIsFartherFromItsLineThanTheTolerance) {
       double nearest = 1e300;
       for (const GraphInputEdge& e : graph.edges) {
         const Vec3 a = graph.points[e.a], b = graph.points[e.b];
-        const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-        nearest = std::min(nearest, (p - a - t * (b - a)).norm());
+        nearest = std::min(nearest, point_segment_distance(p, a, b));
       }
       EXPECT_LE(nearest, tolerance * (1 + 1e-12));
     }

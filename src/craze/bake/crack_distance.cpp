@@ -1,6 +1,6 @@
 #include "craze/bake/crack_distance.h"
 
-#include "craze/bake/segment_distance.h"
+#include "craze/base/segment_distance.h"
 
 namespace craze {
 

@@ -6,7 +6,7 @@
 #include <queue>
 #include <tuple>
 
-#include "craze/bake/segment_distance.h"
+#include "craze/base/segment_distance.h"
 #include "craze/mesh/components.h"
 
 namespace craze {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "craze/bake/nearby_cracks.h"
-#include "craze/bake/segment_distance.h"
+#include "craze/base/segment_distance.h"
 #include "craze/mesh/transfer_attributes.h"
 
 namespace craze {

@@ -128,8 +128,7 @@ std::vector<Parameter> make_table() {
       .add("lookahead", &MaterialParameters::lookahead, not_negative,
            {.help = "length ahead of a crack tip over whose mean stress it turns, so that it meets "
                     "other cracks squarely, and never backward; 0, or less than an edge: it "
-                    "turns by the "
-                    "forces at the tip alone",
+                    "turns by the forces at the tip alone",
             .unit = "length"})
       .add("relative_lookahead", &MaterialParameters::relative_lookahead, not_negative,
            {.help = "lookahead as a multiple of the screening length, where lookahead is 0"})

@@ -1,21 +1,16 @@
 #include "craze/stats/simplify_lines.h"
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <utility>
 
+#include "craze/base/segment_distance.h"
+
 namespace craze {
 
 namespace {
-
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double squared = along.squaredNorm();
-  const double t = squared > 0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0;
-  return (p - a - t * along).norm();
-}
 
 /// Which points of a line stay, in order, its ends among them.
 std::vector<std::size_t> kept_points(const std::vector<Vec3>& line, double tolerance) {
@@ -28,7 +23,7 @@ std::vector<std::size_t> kept_points(const std::vector<Vec3>& line, double toler
     double farthest = tolerance;
     std::size_t split = first;
     for (std::size_t i = first + 1; i < last; ++i) {
-      const double distance = distance_to_segment(line[i], line[first], line[last]);
+      const double distance = point_segment_distance(line[i], line[first], line[last]);
       if (distance > farthest) {
         farthest = distance;
         split = i;
@@ -46,9 +41,10 @@ std::vector<std::size_t> kept_points(const std::vector<Vec3>& line, double toler
   return points;
 }
 
+/// Times: those not known, NaN, are alike.
 bool same(double a, double b) {
-  return a == b || (a != a && b != b);
-}  // NaN: not known
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
 
 /// Whether the line may run through a point between these two edges.
 bool are_one_line(const GraphInputEdge& e, const GraphInputEdge& f, bool same_way) {
@@ -63,7 +59,7 @@ bool are_one_line(const GraphInputEdge& e, const GraphInputEdge& f, bool same_wa
 void simplify_lines(CrackGraphInput& graph, double tolerance) {
   if (!(tolerance > 0)) return;
   const auto points = graph.points.size();
-  std::vector<std::array<std::int32_t, 2>> at(points, {-1, -1});  // edges of a point with two
+  std::vector<std::array<std::int32_t, 2>> at(points, {-1, -1});  // first edges
   std::vector<int> degree(points, 0);
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     for (const std::int32_t p : {graph.edges[e].a, graph.edges[e].b}) {
