@@ -21,6 +21,9 @@ void add_figures(CLI::App& app, Action& action);
 void add_presets(CLI::App& app, Action& action);
 void add_parameters(CLI::App& app, Action& action);
 
+/// For options that take a number of 0 or more.
+CLI::Validator not_negative();
+
 /// Writes results to standard output and returns the exit code: `failed`, without a word, where a
 /// pipe is closed; throws Error(output) where writing fails otherwise.
 int print(std::string_view text);

@@ -147,7 +147,7 @@ void add_crack(CLI::App& app, Action& action) {
   verb->add_option("--max-cracks", options->request.max_cracks,
                    "Stop after N crack events; 0: before the first")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
   verb->add_option("--threads", options->threads, "0: one per core")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));

@@ -65,7 +65,7 @@ void add_scene(CLI::App& verb, Options& options) {
       ->group(group);
   verb.add_option("--line-width", picture.line_width, "Of a crack, model units; 0: by the size")
       ->type_name("LENGTH")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->group(group);
   verb.add_option("--light", picture.light.azimuth,
                   "Where the lamp stands: degrees to the right of the camera")

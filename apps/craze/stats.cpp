@@ -52,7 +52,7 @@ void add_stats(CLI::App& app, Action& action) {
   verb->add_option("--simplify", options->simplify,
                    "Draw lines by as few of their points as stay within this of them, "
                    "in the unit of the input: a pixel for a skeleton")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->type_name("LENGTH");
   verb->add_option("--plots", options->plots,
                    "Write histograms and pictures of the graph into this folder, as SVG")

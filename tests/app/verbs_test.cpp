@@ -78,7 +78,13 @@ TEST_F(Verbs, StatsTakesTheStepsOfPixelsOutOfASkeleton) {
   };
   EXPECT_GT(tortuosity({}), 1.07);
   EXPECT_NEAR(tortuosity({"--simplify", "1"}), 1, 0.005);
-  EXPECT_EQ(run({"stats", "skeleton.json", "--simplify", "-1"}).code, 2);
+  for (const char* wrong : {"-1", "nan", "wide"}) {
+    const CommandResult result = run({"stats", "skeleton.json", "--simplify", wrong});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_NE(result.err.find(std::string(wrong) + " is out of range: must be at least 0"),
+              std::string::npos)
+        << result.err;
+  }
 }
 
 TEST_F(Verbs, RenderTakesAPictureOfTheSizeAskedFor) {
