@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "craze/io/read_mesh.h"
-#include "craze/scenario/figure_table.h"
-#include "scenario/claims.h"
+#include "craze/job/figure_table.h"
+#include "engine/claims.h"
 
 namespace craze {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "craze/base/error.h"
-#include "craze/scenario/recipe.h"
+#include "craze/recipe/recipe.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);

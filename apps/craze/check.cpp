@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app.h"
+#include "craze/job/load_surface.h"
 #include "craze/mesh/mesh_summary.h"
 #include "craze/mesh/repair.h"
-#include "craze/scenario/load_surface.h"
-#include "craze/scenario/report.h"
+#include "craze/products/report_json.h"
 
 namespace craze::app {
 

@@ -3,8 +3,8 @@
 
 #include "app.h"
 #include "camera_options.h"
-#include "craze/scenario/presets.h"
-#include "craze/scenario/run.h"
+#include "craze/job/run.h"
+#include "craze/recipe/presets.h"
 #include "error_line.h"
 #include "interrupt.h"
 #include "progress_line.h"
@@ -54,12 +54,10 @@ int crack(Options& options) {
     result = run(options.request, context);
   }
   if (!options.quiet) {
-    for (const auto& warning : result.report["warnings"]) {
-      print_warning(warning.get<std::string>());
-    }
+    for (const std::string& warning : result.report.warnings) print_warning(warning);
   }
   int code = done;
-  if (options.request.report == "-") code = print(result.report.dump(2) + "\n");
+  if (options.request.report == "-") code = print(result.report_text);
   return result.cancelled ? interrupt_code() : code;
 }
 

@@ -6,8 +6,8 @@
 
 #include "app.h"
 #include "craze/base/error.h"
-#include "craze/scenario/nearest_name.h"
-#include "craze/scenario/version.h"
+#include "craze/base/version.h"
+#include "craze/recipe/nearest_name.h"
 #include "error_line.h"
 
 namespace {

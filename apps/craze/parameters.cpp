@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app.h"
-#include "craze/scenario/parameter_reference.h"
-#include "craze/scenario/parameter_table.h"
+#include "craze/recipe/parameter_reference.h"
+#include "craze/recipe/parameter_table.h"
 
 namespace craze::app {
 

@@ -5,10 +5,10 @@
 #include "app.h"
 #include "camera_options.h"
 #include "craze/base/error.h"
+#include "craze/job/load_surface.h"
+#include "craze/job/run.h"
+#include "craze/render/mesh_picture.h"
 #include "craze/render/png.h"
-#include "craze/scenario/load_surface.h"
-#include "craze/scenario/mesh_picture.h"
-#include "craze/scenario/run.h"
 #include "progress_line.h"
 
 namespace craze::app {

@@ -6,10 +6,10 @@
 #include "app.h"
 #include "craze/base/error.h"
 #include "craze/io/atomic_file.h"
-#include "craze/stats/graph_input.h"
-#include "craze/stats/plots.h"
-#include "craze/stats/simplify_lines.h"
-#include "craze/stats/statistics_report.h"
+#include "craze/job/graph_from_file.h"
+#include "craze/products/statistics/graph/simplify_lines.h"
+#include "craze/products/statistics/plots/plots.h"
+#include "craze/products/statistics/statistics_report.h"
 
 namespace craze::app {
 

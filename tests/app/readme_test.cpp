@@ -5,7 +5,7 @@
 #include <regex>
 
 #include "app/command.h"
-#include "craze/scenario/figure_table.h"
+#include "craze/job/figure_table.h"
 
 namespace craze {
 namespace {

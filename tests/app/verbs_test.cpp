@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
-#include "craze/scenario/presets.h"
-#include "craze/scenario/version.h"
+#include "craze/base/version.h"
+#include "craze/recipe/presets.h"
 
 namespace craze {
 namespace {

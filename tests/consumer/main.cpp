@@ -1,7 +1,7 @@
 // Cracks a small plate through the installed headers: 0 when there are cracks.
 #include <craze/base/error.h>
-#include <craze/scenario/presets.h>
-#include <craze/scenario/run.h>
+#include <craze/job/run.h>
+#include <craze/recipe/presets.h>
 
 #include <cstdio>
 
@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     request.output = argv[1];
     craze::check_request(request);
     const craze::RunResult result = craze::run(request, {});
-    const int events = result.report.at("cracks").at("events").get<int>();
+    const int events = static_cast<int>(result.report.cracks.events);
     std::printf("%d cracks\n", events);
     return events > 0 ? 0 : 1;
   } catch (const craze::Error& e) {

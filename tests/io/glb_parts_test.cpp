@@ -5,7 +5,7 @@
 #include "craze/io/byte_order.h"
 #include "craze/io/glb_writer.h"
 #include "craze/io/gltf.h"
-#include "craze/io/mesh_parts.h"
+#include "craze/mesh/mesh_parts.h"
 #include "io_test_tools.h"
 
 namespace craze {

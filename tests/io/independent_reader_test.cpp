@@ -9,8 +9,8 @@
 
 #include "craze/io/read_mesh.h"
 #include "craze/io/write_mesh.h"
-#include "craze/scenario/presets.h"
-#include "craze/scenario/run.h"
+#include "craze/job/run.h"
+#include "craze/recipe/presets.h"
 #include "io_test_tools.h"
 
 namespace craze {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "bake/surfaces.h"
 #include "craze/base/error.h"
+#include "products/distance/surfaces.h"
 
 namespace craze::render {
 namespace {
@@ -48,7 +48,7 @@ struct CrackedPlate {
     }
   }
   CrackLines lines() const {
-    return crack_lines(mesh, crack_sides(mesh), line_reach(surface(mesh), options));
+    return crack_lines(mesh, crack_sides(mesh), line_reach(surface(mesh), options), {});
   }
 };
 
@@ -58,7 +58,7 @@ TEST(Picture, IsTheSameOnAnyNumberOfThreads) {
   const SurfaceMesh s = surface(mesh);
   for (const Material& material : materials()) {
     const PictureOptions options = small(material.name);
-    const CrackLines lines = crack_lines(mesh, crack_sides(mesh), line_reach(s, options));
+    const CrackLines lines = crack_lines(mesh, crack_sides(mesh), line_reach(s, options), {});
     Context one, many;
     one.threads = 1;
     many.threads = 3;
@@ -229,7 +229,7 @@ TEST(Picture, LinesAreCrispOnTwoHundredTriangles) {
     options.width = options.height = 201;
     options.line_width = 0.02;
     const CrackLines lines =
-        crack_lines(mesh, crack_sides(mesh), line_reach(surface(mesh), options));
+        crack_lines(mesh, crack_sides(mesh), line_reach(surface(mesh), options), {});
     return render_picture(surface(mesh), &lines, options, {});
   };
   const Image coarse = picture(10), fine = picture(100);

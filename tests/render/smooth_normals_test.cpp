@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/surfaces.h"
+#include "products/distance/surfaces.h"
 
 namespace craze::render {
 namespace {

@@ -5,6 +5,8 @@
 #include <functional>
 #include <string_view>
 
+#include "craze/base/error.h"
+
 namespace craze {
 
 /// One report of a running computation.
@@ -23,6 +25,10 @@ struct Context {
   std::function<bool()> cancelled;                ///< polled between events
 
   bool is_cancelled() const { return cancelled && cancelled(); }
+  /// For work of which no part is worth keeping: throws Cancelled.
+  void check() const {
+    if (is_cancelled()) throw Cancelled();
+  }
   void report(const Progress& p) const {
     if (progress) progress(p);
   }

@@ -1,6 +1,7 @@
-// The one exception that leaves the library, and its one-line form.
+// The exceptions that leave the library.
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -24,6 +25,12 @@ class Error : public std::runtime_error {
 
  private:
   ErrorKind kind_;
+};
+
+/// Not an error: the context cancelled before there was anything to keep.
+class Cancelled : public std::exception {
+ public:
+  const char* what() const noexcept override { return "cancelled"; }
 };
 
 }  // namespace craze

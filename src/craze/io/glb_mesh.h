@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "craze/io/glb_buffer.h"
-#include "craze/io/morph_animation.h"
+#include "craze/mesh/morph_animation.h"
 #include "craze/mesh/surface_mesh.h"
 
 namespace craze {

@@ -7,8 +7,8 @@
 
 #include "craze/io/glb_buffer.h"
 #include "craze/io/glb_mesh.h"
-#include "craze/io/mesh_parts.h"
 #include "craze/io/polygon_soup.h"
+#include "craze/mesh/mesh_parts.h"
 
 namespace craze {
 

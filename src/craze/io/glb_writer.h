@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "craze/io/morph_animation.h"
+#include "craze/mesh/morph_animation.h"
 #include "craze/mesh/surface_mesh.h"
 
 namespace craze {

@@ -3,9 +3,9 @@
 
 #include <iterator>
 
-#include "craze/io/mesh_parts.h"
 #include "craze/io/obj.h"
 #include "craze/io/unify_corners.h"
+#include "craze/mesh/mesh_parts.h"
 
 namespace craze {
 

@@ -161,10 +161,14 @@ class BoxTree {
 
 std::vector<std::array<std::int32_t, 2>> self_intersections(const std::vector<Vec3>& positions,
                                                             const std::vector<Triangle>& triangles,
-                                                            std::size_t limit) {
+                                                            std::size_t limit,
+                                                            const Context& context) {
+  constexpr std::int64_t pairs_between_polls = 1 << 15;
+  std::int64_t seen = 0;
   std::vector<std::array<std::int32_t, 2>> pairs;
   const Triangles geometry(positions, triangles);
   BoxTree(geometry, triangles.size()).for_each_pair([&](std::int32_t f, std::int32_t g) {
+    if (++seen % pairs_between_polls == 0) context.check();
     if (geometry.cross(f, g)) pairs.push_back({f, g});
     return pairs.size() < limit;
   });

@@ -1,5 +1,5 @@
 // What a run is asked to do: the recipe's sections as plain structs. Names, ranges, units and texts
-// are in scenario/parameter_table.cpp, the one place that describes them.
+// are in recipe/parameter_table.cpp, the one place that describes them.
 #pragma once
 
 #include <array>

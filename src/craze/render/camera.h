@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "craze/base/tensor.h"
+#include "craze/mesh/up_axis.h"
 
 namespace craze::render {
 
-enum class UpAxis { automatic, x, y, z };
+using craze::UpAxis;
 
 /// Where the picture is taken from. At azimuth 0 the first horizontal axis (x, or y when x is up)
 /// runs to the right; the camera moves to the right as the azimuth grows.
 struct View {
-  UpAxis up = UpAxis::automatic;    ///< automatic: z for a flat plate in the xy plane, else y
+  UpAxis up = UpAxis::automatic;    ///< of the world
   std::optional<double> azimuth;    ///< degrees; by default 0 for flat plates, 25 otherwise
   std::optional<double> elevation;  ///< degrees above the horizon; by default 55 and 18
   double field_of_view = 24;        ///< vertical, degrees

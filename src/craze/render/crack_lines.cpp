@@ -5,9 +5,9 @@
 namespace craze::render {
 
 CrackLines crack_lines(const TriangleMesh& mesh, const std::vector<std::int32_t>& sides,
-                       double reach) {
+                       double reach, const Context& context) {
   CrackLines lines;
-  lines.cracks = nearby_cracks(mesh, sides, reach);
+  lines.cracks = nearby_cracks(mesh, sides, reach, context);
   return lines;
 }
 

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/bake/nearby_cracks.h"
+#include "craze/base/context.h"
+#include "craze/products/distance/nearby_cracks.h"
 #include "craze/render/color.h"
 
 namespace craze::render {
@@ -23,7 +24,7 @@ struct CrackLines {
 
 /// The lines of a cut mesh along `sides`, all of width 1.
 CrackLines crack_lines(const TriangleMesh& mesh, const std::vector<std::int32_t>& sides,
-                       double reach);
+                       double reach, const Context& context);
 
 /// Gives each line the width of its ends, in units of the line width: `width` has two numbers for
 /// each of `sides`, the halfedges that the lines were made of, ascending.

@@ -1,0 +1,208 @@
+/* craze: surface crack patterns on triangle meshes, for any language that can call C (C99).
+ *
+ *   craze_error error;
+ *   craze_mesh *plate = craze_mesh_shape("plate?n=60&jitter=0.3", &error);
+ *   craze_job *job = craze_job_new();
+ *   craze_job_set_mesh(job, plate, &error);
+ *   craze_job_set_preset(job, "mud", &error);
+ *   if (craze_job_run(job, &error) == CRAZE_OK) {
+ *     craze_mesh *cracked = craze_job_cut_mesh(job, &error);
+ *     craze_mesh_write(cracked, "mud.ply", &error);
+ *     craze_mesh_free(cracked);
+ *   }
+ *   craze_job_free(job);
+ *   craze_mesh_free(plate);
+ *
+ * Handles are opaque and owned by the caller: each *_new, *_shape, *_read and product is freed by
+ * its *_free, which takes NULL. A product keeps what it needs; it may outlive the job.
+ * Functions that can fail take a craze_error, which may be NULL, and return a status, or NULL
+ * instead of a handle. No exception crosses, nothing is printed, nothing is global: different
+ * handles may be used by different threads at a time, one handle by one thread at a time.
+ * Texts are UTF-8. Lengths are in the unit of the mesh. */
+#ifndef CRAZE_CRAZE_H
+#define CRAZE_CRAZE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define CRAZE_API
+#else
+#define CRAZE_API __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The interface that this header describes. It grows by new functions; a change of the old ones
+ * changes the number. */
+#define CRAZE_INTERFACE 1
+
+typedef enum craze_status {
+  CRAZE_OK = 0,
+  CRAZE_INPUT = 1,     /* a mesh or file that cannot be read or is not what it says */
+  CRAZE_USAGE = 2,     /* a wrong key, value, name or argument */
+  CRAZE_REQUEST = 3,   /* something impossible was asked of a good input */
+  CRAZE_OUTPUT = 4,    /* a file that cannot be written */
+  CRAZE_CANCELLED = 5, /* a callback asked to stop */
+  CRAZE_MEMORY = 6,    /* not enough of it */
+  CRAZE_INTERNAL = 7   /* a fault of craze itself */
+} craze_status;
+
+/* What went wrong, in one line: WHAT (WHERE): WHY. */
+typedef struct craze_error {
+  craze_status status;
+  char message[1024];
+} craze_error;
+
+typedef enum craze_type { CRAZE_FLOAT64 = 0, CRAZE_FLOAT32 = 1, CRAZE_INT32 = 2 } craze_type;
+
+/* Numbers in rows, one after the other, owned by the handle they were got from: valid until it is
+ * freed. */
+typedef struct craze_array {
+  const void *data;
+  int64_t rows;
+  int32_t columns;
+  craze_type type;
+} craze_array;
+
+typedef struct craze_mesh craze_mesh;
+typedef struct craze_lines craze_lines;
+typedef struct craze_job craze_job;
+typedef struct craze_opening craze_opening;
+
+/* "0.2.0". */
+CRAZE_API const char *craze_version(void);
+/* CRAZE_INTERFACE of the library that is loaded. */
+CRAZE_API int craze_interface(void);
+/* Frees a text that a function below returned. */
+CRAZE_API void craze_text_free(char *text);
+
+/* JSON: {"glaze": {"description": ..., "recipe": {...}}, ...}. Free with craze_text_free. */
+CRAZE_API char *craze_presets(craze_error *error);
+/* JSON: a list of every key of a recipe with its type, default, range, choices, unit and help. Free
+ * with craze_text_free. */
+CRAZE_API char *craze_parameters(craze_error *error);
+
+/* ---- Meshes ------------------------------------------------------------------------------ */
+
+/* Copies `vertices` (n rows of x y z) and `faces` (m rows of three vertex indices from 0,
+ * counter-clockwise seen from outside). */
+CRAZE_API craze_mesh *craze_mesh_new(const double *vertices, int64_t n, const int32_t *faces,
+                                     int64_t m, craze_error *error);
+/* Reads .obj .ply .stl .off .gltf .glb. */
+CRAZE_API craze_mesh *craze_mesh_read(const char *path, craze_error *error);
+/* A built-in shape: "plate?n=60&jitter=0.3", "cup", "sphere?n=40", ... */
+CRAZE_API craze_mesh *craze_mesh_shape(const char *specification, craze_error *error);
+CRAZE_API void craze_mesh_free(craze_mesh *mesh);
+
+/* Sets what is known per element; `rows` must fit. Names:
+ *   "uv"           3 m rows of 2: corner i of face f at 3 f + i
+ *   "normals"      3 m rows of 3, unit, likewise
+ *   "vertex:NAME"  n rows of any number of columns; "vertex:color" takes 4, linear RGBA in 0 ... 1
+ *   "face:NAME"    m rows of any number of columns */
+CRAZE_API craze_status craze_mesh_set(craze_mesh *mesh, const char *name, const double *values,
+                                      int64_t rows, int32_t columns, craze_error *error);
+
+/* A view of what is known: "vertices" (n, 3) float64, "faces" (m, 3) int32, "source_faces" (m, 1)
+ * int32, "materials" (m, 1) int32, "colors" (n, 4) float32, and the names that craze_mesh_set
+ * takes. CRAZE_USAGE where the mesh has no such thing. */
+CRAZE_API craze_status craze_mesh_array(const craze_mesh *mesh, const char *name,
+                                        craze_array *array, craze_error *error);
+/* The name of the i-th array, NULL beyond the last; valid until the mesh is freed or set. */
+CRAZE_API const char *craze_mesh_array_name(const craze_mesh *mesh, int64_t i);
+/* The name of the i-th material ("materials" counts them from 0; -1: none), NULL beyond the
+ * last. */
+CRAZE_API const char *craze_mesh_material_name(const craze_mesh *mesh, int64_t i);
+
+/* Writes .ply .obj .stl .glb: the whole file or none. */
+CRAZE_API craze_status craze_mesh_write(const craze_mesh *mesh, const char *path,
+                                        craze_error *error);
+/* The parts of a cracked mesh, one at a time, by its face attribute "fragment". Free with
+ * craze_mesh_free. */
+CRAZE_API int64_t craze_mesh_fragment_count(const craze_mesh *mesh, craze_error *error);
+CRAZE_API craze_mesh *craze_mesh_fragment(const craze_mesh *mesh, int64_t i, craze_error *error);
+
+/* ---- A run ------------------------------------------------------------------------------- */
+
+CRAZE_API craze_job *craze_job_new(void);
+CRAZE_API void craze_job_free(craze_job *job);
+
+/* What is cracked. The mesh is shared, not copied, until it is set or freed. */
+CRAZE_API craze_status craze_job_set_mesh(craze_job *job, const craze_mesh *mesh,
+                                          craze_error *error);
+/* A grey picture that the recipe names (stress.texture ...): height rows from the top of width
+ * pixels, 0 black, 1 white. Copied. */
+CRAZE_API craze_status craze_job_set_texture(craze_job *job, const char *name, const float *pixels,
+                                             int64_t width, int64_t height, craze_error *error);
+
+/* The recipe: that of a preset; TOML or JSON text, on top of the defaults, `name` being what errors
+ * call it; one key ("layer.spacing") and its value as TOML or JSON ("0.2", "\"mud\"", "[0, 0, 1]"),
+ * on top of what is set. The last one stands. */
+CRAZE_API craze_status craze_job_set_preset(craze_job *job, const char *preset, craze_error *error);
+CRAZE_API craze_status craze_job_set_recipe(craze_job *job, const char *text, const char *name,
+                                            craze_error *error);
+CRAZE_API craze_status craze_job_set(craze_job *job, const char *key, const char *value,
+                                     craze_error *error);
+/* JSON of the whole recipe as it is set. Free with craze_text_free. */
+CRAZE_API char *craze_job_recipe(const craze_job *job, craze_error *error);
+
+/* 0, the default: one per core. The result does not depend on it. */
+CRAZE_API craze_status craze_job_set_threads(craze_job *job, int threads, craze_error *error);
+/* Stop after so many crack events; 0: before the first; below 0, the default: no such limit. */
+CRAZE_API craze_status craze_job_set_max_cracks(craze_job *job, int64_t max_cracks,
+                                                craze_error *error);
+
+/* Called from the thread that called craze_job_run or asked for a product, about twenty times a
+ * second and at the start of each phase. `fraction` is 0 ... 1, or below 0 where no end is known.
+ * Anything but 0 stops: the call returns CRAZE_CANCELLED and the job is as it was before. */
+typedef int (*craze_progress)(void *user, const char *phase, double fraction, int64_t cracks,
+                              double load);
+CRAZE_API void craze_job_set_progress(craze_job *job, craze_progress progress, void *user);
+
+/* Cracks the mesh. May be called again, with another recipe or mesh; products made before stay. */
+CRAZE_API craze_status craze_job_run(craze_job *job, craze_error *error);
+
+/* ---- What comes out ---------------------------------------------------------------------- */
+
+/* The cut mesh, shut. "vertex:crack_distance", "vertex:crack_time", "vertex:crack_growth",
+ * "vertex:displacement", "face:fragment", "face:source_face" are as in docs/outputs.md. */
+CRAZE_API craze_mesh *craze_job_cut_mesh(const craze_job *job, craze_error *error);
+
+/* The cracks as a graph: "points" (p, 3) float64, "edges" (e, 2) int32, "uv" (2 e, 2), and
+ * "point:NAME" (junction, normal) and "edge:NAME" (time, width, event). */
+CRAZE_API craze_lines *craze_job_lines(const craze_job *job, craze_error *error);
+CRAZE_API craze_status craze_lines_array(const craze_lines *lines, const char *name,
+                                         craze_array *array, craze_error *error);
+CRAZE_API void craze_lines_free(craze_lines *lines);
+
+/* JSON; free with craze_text_free. The report is that of the command; the statistics are part of
+ * it. */
+CRAZE_API char *craze_job_report(const craze_job *job, craze_error *error);
+CRAZE_API char *craze_job_statistics(const craze_job *job, craze_error *error);
+/* Statistics of lines of any origin: `points` (p rows of 3), `edges` (e rows of 2). `time`, one
+ * per edge, may be NULL. `simplify`: lines are drawn by as few of their points as stay within this
+ * length of them; 0: as they are. */
+CRAZE_API char *craze_statistics(const double *points, int64_t p, const int32_t *edges, int64_t e,
+                                 const double *time, double simplify, craze_error *error);
+
+/* The cut mesh with its cracks open: `gap` times the displacement, walls of depth `wall` (length),
+ * edges lifted by `curl`. Nothing is cracked again. */
+CRAZE_API craze_opening *craze_job_open(const craze_job *job, double gap, double wall, double curl,
+                                        craze_error *error);
+CRAZE_API void craze_opening_free(craze_opening *opening);
+/* The opened mesh. Free with craze_mesh_free. */
+CRAZE_API craze_mesh *craze_opening_mesh(const craze_opening *opening, craze_error *error);
+/* What could not be done as asked, one sentence at a time; NULL beyond the last. */
+CRAZE_API const char *craze_opening_warning(const craze_opening *opening, int64_t i);
+/* Its vertices at a time of its growth, 0 (no crack) ... 1 (all): writes as many rows of x y z as
+ * its mesh has vertices. */
+CRAZE_API craze_status craze_opening_positions_at(craze_opening *opening, double time,
+                                                  double *positions, craze_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

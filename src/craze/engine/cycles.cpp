@@ -1,0 +1,92 @@
+#include "craze/engine/cycles.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "craze/base/error.h"
+#include "craze/base/random.h"
+#include "craze/engine/initial_fields.h"
+#include "craze/model/junction_drift.h"
+
+namespace craze {
+
+namespace {
+
+SimulationParameters of_cycle(SimulationParameters parameters, std::int64_t cycle) {
+  if (cycle > 0) parameters.seed = hash_bits(parameters.seed ^ hash_bits(cycle));
+  return parameters;
+}
+
+/// The context of one cycle of several, which reports how far all of them are.
+Context in_cycle(const Context& context, std::int64_t cycle, std::int64_t cycles) {
+  Context inner = context;
+  if (cycles == 1 || !context.progress) return inner;
+  const double fraction = static_cast<double>(cycle) / static_cast<double>(cycles);
+  inner.progress = [report = context.progress, fraction](Progress progress) {
+    progress.fraction = fraction;
+    report(progress);
+  };
+  return inner;
+}
+
+bool has_no_stress(const SimulationFields& fields, const SimulationParameters& parameters) {
+  return parameters.evolution.shrinkage == 0 && fields.growth.empty() &&
+         std::all_of(fields.stress.begin(), fields.stress.end(),
+                     [](const Sym3& sigma) { return sigma.matrix().isZero(0); });
+}
+
+void start(LastCycle& last, const SimulationSurface& surface,
+           const SimulationParameters& parameters, const Textures& textures, HealedCracks healed,
+           const Context& context) {
+  const auto begin = std::chrono::steady_clock::now();
+  last.simulation.reset();
+  TriangleMesh mesh(surface.mesh.positions, surface.mesh.triangles);
+  SimulationFields fields = initial_fields(surface, mesh, parameters, textures, context);
+  last.unstressed = has_no_stress(fields, parameters);
+  fields.healed = std::move(healed);
+  last.simulation =
+      std::make_unique<Simulation>(std::move(mesh), std::move(fields), parameters, context);
+  last.prepare += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+LastCycle before_first_crack(const SimulationSurface& surface,
+                             const SimulationParameters& parameters, const Textures& textures,
+                             const Context& context) {
+  LastCycle first;
+  start(first, surface, parameters, textures, {}, context);
+  return first;
+}
+
+LastCycle run_cycles(const SimulationSurface& surface, const SimulationParameters& parameters,
+                     const Textures& textures, const Context& context) {
+  const EvolutionParameters& evolution = parameters.evolution;
+  const double scar_width = evolution.scar_width * parameters.layer.screening_length;
+  if (evolution.cycles > 1 && !(scar_width > 0)) {
+    throw Error(ErrorKind::request, "cannot crack in cycles", "evolution.cycles",
+                "a layer without adhesion does not heal: set layer.spacing or screening_length");
+  }
+  LastCycle last;
+  HealedCracks healed;
+  for (std::int64_t cycle = 0; cycle < evolution.cycles; ++cycle) {
+    const Context inner = in_cycle(context, cycle, evolution.cycles);
+    start(last, surface, of_cycle(parameters, cycle), textures, std::move(healed), inner);
+    last.reason = last.simulation->run(inner);
+    const PhaseTimes& times = last.simulation->times();
+    last.times.relax += times.relax;
+    last.times.separation += times.separation;
+    last.times.crack += times.crack;
+    if (last.reason == StopReason::cancelled || last.reason == StopReason::max_cracks) break;
+    healed = {};
+    if (cycle + 1 < evolution.cycles && evolution.healing < 1) {
+      CrackNetwork cracks = last.simulation->network();
+      const double drift = evolution.drift * parameters.layer.screening_length;
+      if (drift > 0) cracks = drifted(cracks, drift);
+      healed = HealedCracks(cracks, evolution.healing, scar_width);
+    }
+  }
+  return last;
+}
+
+}  // namespace craze

@@ -1,0 +1,102 @@
+#include "craze/engine/engine.h"
+
+#include <chrono>
+
+#include "craze/base/error.h"
+#include "craze/base/parallel.h"
+#include "craze/engine/cracked_surface.h"
+#include "craze/engine/spacing_rounds.h"
+#include "craze/mesh/repair.h"
+
+namespace craze {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+SurfaceMesh repaired(const Input& input, Report& report) {
+  SurfaceMesh surface = repair(*input.surface, {}, report.repair);
+  if (surface.triangles.empty()) {
+    throw Error(ErrorKind::input, "nothing to crack", input.name,
+                "the mesh has no triangle with area");
+  }
+  return surface;
+}
+
+double total_length(const CrackNetwork& network) {
+  double length = 0;
+  for (const CrackEdge& e : network.edges) {
+    length += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
+  }
+  return length;
+}
+
+void add_warnings(Report& report, const LastCycle& last, const Simulation& simulation) {
+  if (last.unstressed) {
+    // In equilibrium from the start: not wrong, but seldom what was wanted.
+    report.warnings.push_back(
+        "nothing can crack (stress): it is zero everywhere; give stress.uniform, an impact or a "
+        "painted stress that is not");
+  }
+  if (!simulation.met_tolerance()) {
+    report.warnings.push_back(
+        "equilibrium was not always reached (evolution.residual): double precision ends before it; "
+        "cracks may open a little too early or late");
+  }
+  if (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load) {
+    if (const auto warning = spacing_warning(report.recipe.simulation.layer, simulation.mesh(),
+                                             report.cracks.fragments)) {
+      report.warnings.push_back(*warning);
+    }
+  }
+}
+
+}  // namespace
+
+Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
+             const Context& context) {
+  const auto start = std::chrono::steady_clock::now();
+  Report report;
+  report.recipe = recipe;
+  if (options.max_cracks) report.recipe.simulation.evolution.max_cracks = *options.max_cracks;
+  report.threads = thread_count(context.threads);
+  report.input = count_mesh(*input.surface);
+  context.report({"prepare", -1, 0, report.input.triangles});
+  SurfaceMesh surface = repaired(input, report);
+  input.surface.reset();
+  report.time.load = seconds_since(start);
+
+  SpacedRun run =
+      options.max_cracks == 0
+          ? uncracked(std::move(surface), report.recipe, input.textures, context)
+          : run_to_spacing(std::move(surface), report.recipe, input.textures, context);
+  if (run.last.reason == StopReason::cancelled && options.on_cancel == OnCancel::discard) {
+    throw Cancelled();
+  }
+  auto state = std::make_shared<CrackedSurface>();
+  state->recipe = std::move(run.recipe);
+  state->surface = std::move(run.surface.mesh);
+  state->network = run.last.simulation->network();
+  state->fragments = find_components(run.last.simulation->mesh());
+
+  const Simulation& simulation = *run.last.simulation;
+  report.recipe = state->recipe;
+  report.simulation = count_mesh(state->surface);
+  report.output = {simulation.mesh().vertex_count(), simulation.mesh().face_count()};
+  report.cracks = {simulation.events(), simulation.segments(), total_length(state->network),
+                   state->fragments.count};
+  report.stop_reason = to_string(run.last.reason);
+  report.load = simulation.load();
+  add_warnings(report, run.last, simulation);
+  report.time.prepare = run.prepare + run.last.prepare;
+  report.time.relax = run.last.times.relax;
+  report.time.separation = run.last.times.separation;
+  report.time.crack = run.last.times.crack;
+  state->simulation = std::move(run.last.simulation);
+  report.time.total = seconds_since(start);
+  return {std::move(state), std::move(report)};
+}
+
+}  // namespace craze

@@ -1,0 +1,19 @@
+// What the simulation starts with on its mesh: the recipe's sources, strengths and boundaries.
+#pragma once
+
+#include "craze/base/context.h"
+#include "craze/engine/simulation_surface.h"
+#include "craze/engine/textures.h"
+#include "craze/mesh/triangle_mesh.h"
+#include "craze/model/parameters.h"
+#include "craze/model/simulation_fields.h"
+
+namespace craze {
+
+/// σ₀, growth, scatter, scales and held vertices of `mesh`, which was made from `surface`. Throws
+/// Error(request) where a picture or attribute that the parameters name is missing or does not fit.
+SimulationFields initial_fields(const SimulationSurface& surface, const TriangleMesh& mesh,
+                                const SimulationParameters& parameters, const Textures& textures,
+                                const Context& context);
+
+}  // namespace craze

@@ -1,0 +1,74 @@
+#include "craze/engine/simulation_surface.h"
+
+#include "craze/engine/check_scale.h"
+#include "craze/mesh/remesh.h"
+#include "craze/model/input_fields.h"
+#include "craze/model/painted_multiplier.h"
+
+namespace craze {
+
+namespace {
+
+// Of the screening length: fine enough to resolve how a crack unloads its surroundings.
+constexpr double edge_per_screening_length = 0.25;
+
+double mean_edge(const SurfaceMesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      sum += (mesh.positions[t[(i + 1) % 3]] - mesh.positions[t[i]]).norm();
+    }
+  }
+  return sum / (3 * static_cast<double>(mesh.triangles.size()));
+}
+
+/// The edge length to remesh to; 0: not at all.
+double target_edge(const SurfaceMesh& surface, const Recipe& recipe) {
+  const EdgeLength& edge = recipe.mesh.edge;
+  if (edge.kind != EdgeLength::Kind::automatic) return edge.length;
+  const double target = edge_per_screening_length * recipe.simulation.layer.screening_length;
+  return target > 0 && mean_edge(surface) > target ? target : 0;
+}
+
+/// #F, 1 for marked faces and those that share a vertex with one: a face of the finer mesh takes
+/// its mark from where its middle is, and may reach over.
+std::vector<std::uint8_t> touching_faces(const SurfaceMesh& mesh,
+                                         const std::vector<double>& marks) {
+  std::vector<char> touched(mesh.positions.size(), 0);
+  for (std::size_t f = 0; f < marks.size(); ++f) {
+    for (const std::int32_t v : mesh.triangles[f]) touched[v] = touched[v] || marks[f] != 0;
+  }
+  std::vector<std::uint8_t> faces;
+  for (const Triangle& t : mesh.triangles) {
+    faces.push_back(touched[t[0]] || touched[t[1]] || touched[t[2]] ? 1 : 0);
+  }
+  return faces;
+}
+
+}  // namespace
+
+SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
+                                     const Context& context) {
+  RemeshOptions options;
+  options.target_edge = target_edge(repaired, recipe);
+  options.coarsen = recipe.mesh.edge.kind == EdgeLength::Kind::given;
+  options.seed = recipe.simulation.seed;
+  check_scale(repaired, recipe, options.target_edge, physical_memory());
+  if (options.target_edge == 0) return {std::move(repaired), {}};
+
+  const MaterialParameters& material = recipe.simulation.material;
+  if (material.attribute.empty() && recipe.simulation.layer.attribute.empty()) {
+    return {remesh(repaired, options, context), {}};
+  }
+  // Remeshing carries an attribute of the faces; taken off again, it is no part of the mesh.
+  const TriangleMesh topology(repaired.positions, repaired.triangles);
+  const auto zero = faces_with_zero_attribute(topology, recipe.simulation, input_fields(repaired));
+  repaired.face_attributes.push_back(
+      {"forbidden", 1, std::vector<double>(zero.begin(), zero.end())});
+  SimulationSurface surface{remesh(repaired, options, context), {}};
+  surface.forbidden = touching_faces(surface.mesh, surface.mesh.face_attributes.back().values);
+  surface.mesh.face_attributes.pop_back();
+  return surface;
+}
+
+}  // namespace craze

@@ -1,0 +1,28 @@
+// The mesh that cracks: from a repaired surface and a recipe.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "craze/base/context.h"
+#include "craze/mesh/surface_mesh.h"
+#include "craze/recipe/recipe.h"
+
+namespace craze {
+
+/// What the simulation runs on.
+struct SimulationSurface {
+  SurfaceMesh mesh;  ///< with every attribute of the repaired input
+  /// #F, 1 where a multiplier of the recipe is zero at the input's triangle or one of its corners;
+  /// empty: nowhere. A finer mesh mixes what the corners hold, but not this.
+  std::vector<std::uint8_t> forbidden;
+};
+
+/// mesh.edge "keep": the input itself. A length: remeshed to it. "auto": remeshed to a quarter of
+/// the screening length where the input's edges are longer than that on average, else the input
+/// itself. Throws Error(request) for a spacing or edge that the object or this machine's memory is
+/// too small for.
+SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
+                                     const Context& context);
+
+}  // namespace craze

@@ -1,0 +1,164 @@
+#include "craze/engine/spacing_rounds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "craze/mesh/components.h"
+#include "craze/model/screening.h"
+
+namespace craze {
+
+namespace {
+
+constexpr double close_enough = 0.05;
+constexpr double worth_a_warning = 0.15;
+constexpr double spread_of_one = 0.3;  // of a fragment's root area over the mean, about
+constexpr double least_exponent = 0.4, largest_exponent = 1.2;
+// Of the object's diagonal: with a longer ℓ no pattern changes any more. Of the ℓ first tried:
+// where the spacing is so much too wide, a load too small to close the pattern is what keeps it so.
+constexpr double longest_screening = 2, shortest_screening = 0.5;
+
+bool is_painted(const LayerParameters& layer) {
+  return !layer.attribute.empty() || !layer.texture.empty();
+}
+
+bool is_cut_short(StopReason reason) {
+  return reason == StopReason::cancelled || reason == StopReason::max_cracks;
+}
+
+/// A run whose lengths are resolved for this object, before anything is done.
+SpacedRun resolved(const Recipe& recipe, double diagonal) {
+  SpacedRun run;
+  run.recipe = recipe;
+  run.recipe.simulation = resolve_lengths(recipe.simulation, diagonal);
+  return run;
+}
+
+void prepare(SpacedRun& run, SurfaceMesh repaired, const Context& context) {
+  const auto begin = std::chrono::steady_clock::now();
+  run.surface = simulation_surface(std::move(repaired), run.recipe, context);
+  context.check();
+  run.prepare = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void add_times(SpacedRun& run, const SpacedRun& other) {
+  run.prepare += other.prepare;
+  run.last.prepare += other.last.prepare;
+  run.last.times.relax += other.last.times.relax;
+  run.last.times.separation += other.last.times.separation;
+  run.last.times.crack += other.last.times.crack;
+}
+
+/// Looks for the ℓ at which the spacing over that asked for, a ratio, is 1: along the power law
+/// through the two tries nearest on either side of it, else through the last two.
+class LengthSearch {
+ public:
+  double next(double length, double ratio) {
+    const Try now{length, ratio};
+    if (ratio < 1 && (!below_ || length > below_->length)) below_ = now;
+    if (ratio > 1 && (!above_ || length < above_->length)) above_ = now;
+    if (below_ && above_ && below_->length < above_->length) {
+      return below_->length * std::pow(below_->ratio, -1 / slope(*below_, *above_));
+    }
+    double exponent = 1;
+    if (last_ && last_->length != length) {
+      exponent = std::clamp(slope(*last_, now), least_exponent, largest_exponent);
+    }
+    last_ = now;
+    return length * std::pow(ratio, -1 / exponent);
+  }
+
+ private:
+  struct Try {
+    double length, ratio;
+  };
+
+  static double slope(const Try& a, const Try& b) {
+    return std::log(b.ratio / a.ratio) / std::log(b.length / a.length);
+  }
+
+  std::optional<Try> below_, above_, last_;
+};
+
+}  // namespace
+
+SpacedRun uncracked(SurfaceMesh repaired, const Recipe& recipe, const Textures& textures,
+                    const Context& context) {
+  SpacedRun run = resolved(recipe, bounding_diagonal(repaired.positions));
+  prepare(run, std::move(repaired), context);
+  run.last = before_first_crack(run.surface, run.recipe.simulation, textures, context);
+  return run;
+}
+
+SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textures& textures,
+                         const Context& context) {
+  const double diagonal = bounding_diagonal(repaired.positions);
+  SpacedRun run = resolved(recipe, diagonal);
+  const double spacing = run.recipe.simulation.layer.spacing;
+  const bool asked = spacing > 0 && recipe.simulation.layer.screening_length == 0 &&
+                     !is_painted(recipe.simulation.layer);
+  const std::int64_t rounds = asked ? recipe.simulation.layer.rounds : 0;
+  if (rounds == 0) {
+    prepare(run, std::move(repaired), context);
+    run.last = run_cycles(run.surface, run.recipe.simulation, textures, context);
+    return run;
+  }
+  const double first_length = run.recipe.simulation.layer.screening_length;
+  LengthSearch search;
+  std::optional<SpacedRun> best;
+  double best_error = std::numeric_limits<double>::infinity();
+  for (std::int64_t round = 0;; ++round) {
+    prepare(run, repaired, context);
+    run.last = run_cycles(run.surface, run.recipe.simulation, textures, context);
+    const StopReason reason = run.last.reason;
+    if (round == 0 && is_cut_short(reason)) return run;
+    const TriangleMesh& mesh = run.last.simulation->mesh();
+    const double ratio = mean_spacing(mesh, find_components(mesh).count) / spacing;
+    const double length = run.recipe.simulation.layer.screening_length;
+    const double error = is_cut_short(reason) ? best_error : std::abs(std::log(ratio));
+    if (error < best_error) {
+      best_error = error;
+      if (best) add_times(run, *best);
+      best = std::move(run);
+    } else {
+      add_times(*best, run);
+    }
+    if (is_cut_short(reason)) best->last.reason = reason;
+    if (round == rounds || is_cut_short(reason) || best_error <= close_enough) {
+      return std::move(*best);
+    }
+    SimulationParameters next = recipe.simulation;
+    next.layer.spacing = spacing;
+    next.layer.screening_length =
+        std::max(std::min(search.next(length, ratio), longest_screening * diagonal),
+                 shortest_screening * first_length);
+    run = {};
+    run.recipe = recipe;
+    run.recipe.simulation = resolve_lengths(next, diagonal);
+  }
+}
+
+double mean_spacing(const TriangleMesh& cut_mesh, std::int64_t fragments) {
+  double area = 0;
+  for (std::int32_t f = 0; f < cut_mesh.face_count(); ++f) area += cut_mesh.area(f);
+  return std::sqrt(area / static_cast<double>(std::max<std::int64_t>(1, fragments)));
+}
+
+std::optional<std::string> spacing_warning(const LayerParameters& layer,
+                                           const TriangleMesh& cut_mesh, std::int64_t fragments) {
+  if (!(layer.spacing > 0) || is_painted(layer) || fragments == 0) return {};
+  const double spacing = mean_spacing(cut_mesh, fragments), ratio = spacing / layer.spacing;
+  const double chance = 2 * spread_of_one / std::sqrt(static_cast<double>(fragments));
+  if (!(std::abs(ratio - 1) > worth_a_warning + chance)) return {};
+  return fmt::format(
+      "spacing {:.2f} of what was asked for (layer.spacing): {:.3g}, not {:.3g}; more layer.rounds "
+      "bring it closer where the surface allows it",
+      ratio, spacing, layer.spacing);
+}
+
+}  // namespace craze

@@ -1,0 +1,121 @@
+// Errors worth finding before a long computation.
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include "craze/base/error.h"
+#include "craze/io/write_mesh.h"
+#include "craze/job/run.h"
+#include "craze/render/material.h"
+#include "craze/render/video.h"
+
+namespace craze {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Output {
+  const char* what;
+  std::string path;
+  std::vector<std::string> extensions;
+};
+
+void check_extension(const Output& output) {
+  const auto& known = output.extensions;
+  if (std::find(known.begin(), known.end(), lower_extension(output.path)) != known.end()) return;
+  std::string list;
+  for (const std::string& extension : known) list += (list.empty() ? "" : ", ") + extension;
+  throw Error(ErrorKind::usage, std::string("cannot write ") + output.what, output.path,
+              "the file must end in " + list);
+}
+
+void check_folder(const Output& output) {
+  const auto fail = [&](const char* why) {
+    throw Error(ErrorKind::output, std::string("cannot write ") + output.what, output.path, why);
+  };
+  std::error_code ignored;
+  if (fs::is_directory(output.path, ignored)) fail("it is a folder");
+  const fs::path parent = fs::path(output.path).parent_path();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  if (!fs::is_directory(folder, ignored)) fail("its folder does not exist");
+  // A device or pipe is written in place, anything else beside its place and renamed.
+  const bool in_place =
+      fs::exists(output.path, ignored) && !fs::is_regular_file(output.path, ignored);
+  if (!in_place && access(folder.c_str(), W_OK) != 0) fail("its folder cannot be written");
+}
+
+/// Asked for together, what makes no sense alone.
+void check_growth(const RunRequest& request) {
+  const auto wrong = [](const char* what, const std::string& where, const char* why) {
+    throw Error(ErrorKind::usage, what, where, why);
+  };
+  const bool any = request.animate || request.split_fragments;
+  if (any && request.output.empty()) {
+    wrong("cannot write the mesh", request.animate ? "--animate" : "--fragments",
+          "give the file: -o FILE.glb");
+  }
+  if (any) check_mesh_file(request.output, request.split_fragments, request.animate);
+  if (request.animate && request.recipe.post.gap == 0) {
+    wrong("nothing would move", "--animate",
+          "the cracks stay shut; open them, for example with --set post.gap=0.05");
+  }
+  const std::vector<std::string> formats{"png", "ply", "obj", "stl", "glb"};
+  if (std::find(formats.begin(), formats.end(), request.frame_format) == formats.end()) {
+    wrong("cannot write the frames", request.frame_format,
+          "the format must be png, ply, obj, stl or glb");
+  }
+  if (!request.video.empty() && !render::has_ffmpeg()) {
+    throw Error(ErrorKind::request, "cannot write the video", request.video,
+                "ffmpeg is not installed; with --frames DIR the pictures are written one by one");
+  }
+}
+
+}  // namespace
+
+void check_picture_path(const std::string& path) {
+  const Output picture{"the picture", path, {".png"}};
+  check_extension(picture);
+  check_folder(picture);
+}
+
+void check_request(const RunRequest& request) {
+  const bool report_file = !request.report.empty() && request.report != "-";
+  const std::string none;
+  const std::vector<Output> outputs{
+      {"the mesh", request.output, {".ply", ".obj", ".stl", ".glb"}},
+      {"the crack lines", request.lines, {".ply", ".obj", ".svg", ".json"}},
+      {"the picture", request.picture, {".png"}},
+      {"the video", request.video, {".mp4", ".webm"}},
+      {"the fields", request.fields, {".ply"}},
+      {"the report", report_file ? request.report : none, {".json"}},
+  };
+  std::map<fs::path, const char*> taken;
+  for (const Output& output : outputs) {
+    if (output.path.empty()) continue;
+    check_extension(output);
+    check_folder(output);
+    const auto [at, is_new] = taken.emplace(fs::path(output.path).lexically_normal(), output.what);
+    if (!is_new) {
+      throw Error(ErrorKind::usage, std::string("cannot write ") + output.what, output.path,
+                  std::string("the same file is asked for ") + at->second);
+    }
+  }
+  if (!request.frames.empty()) {
+    // The folder itself may be new, the one it lies in may not.
+    const fs::path frames = fs::path(request.frames) / ("frame_0000." + request.frame_format);
+    if (fs::exists(request.frames)) check_folder({"the frames", frames.string(), {}});
+  }
+  check_growth(request);
+  render::find_material(request.recipe.picture.material);
+  if (taken.empty() && request.report.empty() && request.frames.empty()) {
+    throw Error(
+        ErrorKind::usage, "nothing to write", "",
+        "give -o FILE, or one of --lines, --picture, --frames, --video, --fields, --report");
+  }
+}
+
+}  // namespace craze

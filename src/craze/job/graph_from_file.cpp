@@ -1,0 +1,26 @@
+#include "craze/job/graph_from_file.h"
+
+#include <algorithm>
+
+#include "craze/base/error.h"
+#include "craze/io/read_lines.h"
+#include "craze/io/read_mesh.h"
+#include "craze/products/statistics/null_models/null_models.h"
+
+namespace craze {
+
+CrackGraphInput graph_from_file(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  if (name.starts_with("null:")) return null_graph(name.substr(5));
+  if (const auto lines = read_lines(path)) return graph_from_lines(*lines);
+  CrackGraphInput graph = graph_from_cut_mesh(read_mesh(path));
+  if (std::all_of(graph.edges.begin(), graph.edges.end(),
+                  [](const GraphInputEdge& e) { return e.border; })) {
+    throw Error(ErrorKind::request, "no cracks to measure", name,
+                "the mesh has no open edges inside its surface; of a mesh whose cracks were opened "
+                "into gaps, give the lines instead");
+  }
+  return graph;
+}
+
+}  // namespace craze

@@ -1,0 +1,81 @@
+#include "craze/job/run.h"
+
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "craze/engine/engine.h"
+#include "craze/io/atomic_file.h"
+#include "craze/io/read_image.h"
+#include "craze/job/load_surface.h"
+#include "craze/job/outputs.h"
+#include "craze/model/simulation.h"
+#include "craze/products/report_json.h"
+
+namespace craze {
+
+namespace {
+
+/// Seconds since it was made or last asked.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+Input load(const RunRequest& request) {
+  Input input;
+  input.name = request.input;
+  input.surface = std::make_shared<const SurfaceMesh>(load_surface(request.input));
+  const SimulationParameters& p = request.recipe.simulation;
+  for (const std::string* path : {&p.stress.texture, &p.material.texture, &p.layer.texture}) {
+    if (!path->empty() && !input.textures.count(*path)) {
+      input.textures.emplace(*path, read_image(*path));
+    }
+  }
+  return input;
+}
+
+/// What is written after a run that was stopped is written whole; a second signal kills.
+Context for_writing(const Context& context, bool stopped) {
+  Context writing = context;
+  if (stopped) writing.cancelled = nullptr;
+  return writing;
+}
+
+}  // namespace
+
+RunResult run(const RunRequest& request, const Context& context) {
+  check_request(request);
+  Stopwatch total, phase;
+  context.report({"load"});
+  Input input = load(request);
+  const double load_time = phase.lap();
+
+  const Result result = crack(std::move(input), request.recipe, {request.max_cracks}, context);
+  const bool stopped = result.report().stop_reason == to_string(StopReason::cancelled);
+  Report report = result.report();
+  report.time.load += load_time;
+  phase.lap();
+
+  const Context writing = for_writing(context, stopped);
+  writing.report({"write", -1, report.cracks.events, report.output.triangles, report.load});
+  const auto statistics = write_outputs(request, result, report, writing);
+  report.time.write = phase.lap();
+  report.time.total = total.lap();
+  const nlohmann::ordered_json json = report_to_json(report, statistics ? &*statistics : nullptr);
+  RunResult done{report, json.dump(2) + "\n", stopped};
+  if (!request.report.empty() && request.report != "-") {
+    write_file(request.report, done.report_text, "cannot write the report");
+  }
+  return done;
+}
+
+}  // namespace craze

@@ -1,0 +1,13 @@
+// Which way is up on an object.
+#pragma once
+
+namespace craze {
+
+enum class UpAxis {
+  automatic,  ///< z for a flat plate in the xy plane, else y
+  x,
+  y,
+  z,
+};
+
+}  // namespace craze

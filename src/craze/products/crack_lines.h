@@ -1,0 +1,13 @@
+// The cracks of a run as lines.
+#pragma once
+
+#include "craze/engine/engine.h"
+#include "craze/mesh/surface_mesh.h"
+
+namespace craze {
+
+/// Point attributes: junction (JunctionKind as a number), nx ny nz. Edge attributes: time, width,
+/// event. UVs, two per edge, where the surface has some.
+LineSet crack_lines(const Result& result);
+
+}  // namespace craze

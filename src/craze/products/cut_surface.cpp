@@ -1,0 +1,93 @@
+#include "craze/products/cut_surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "craze/base/segment_distance.h"
+#include "craze/engine/cracked_surface.h"
+#include "craze/mesh/transfer_attributes.h"
+#include "craze/products/distance/nearby_cracks.h"
+
+namespace craze {
+
+namespace {
+
+void set_attribute(std::vector<Attribute>& attributes, Attribute attribute) {
+  for (Attribute& old : attributes) {
+    if (old.name == attribute.name) {
+      old = std::move(attribute);
+      return;
+    }
+  }
+  attributes.push_back(std::move(attribute));
+}
+
+double box_diagonal(const std::vector<Vec3>& positions) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : positions) box.extend(p);
+  return positions.empty() ? 0 : box.diagonal().norm();
+}
+
+Attribute make(const char* name, int components, std::int32_t n, double value) {
+  return {name, components, std::vector<double>(static_cast<std::size_t>(n) * components, value)};
+}
+
+void add_nearest_crack(SurfaceMesh& surface, const Simulation& simulation,
+                       const GrowthTimes& growth_times, const Context& context) {
+  const TriangleMesh& mesh = simulation.mesh();
+  const std::vector<double> times = simulation.crack_times();
+  const double far = box_diagonal(mesh.positions());
+  const std::vector<std::int32_t>& sides = growth_times.sites.sides;
+  Attribute distance = make("crack_distance", 1, mesh.vertex_count(), far);
+  Attribute time = make("crack_time", 1, mesh.vertex_count(), -1);
+  Attribute growth = make("crack_growth", 1, mesh.vertex_count(), -1);
+  const auto arrival = [&](const NearbyCrack& seen, const Vec3& p) {
+    const auto side = std::lower_bound(sides.begin(), sides.end(), seen.halfedge);
+    const auto& [from, to] =
+        growth_times.schedule.sides[static_cast<std::size_t>(side - sides.begin())];
+    return from + nearest_on_segment(p, seen.a, seen.b) * (to - from);
+  };
+  carry_cracks(mesh, sides, far, context, [&](std::int32_t f, const NearbyCrack& seen) {
+    const double t = times[mesh.crack_of(seen.halfedge)];
+    for (const std::int32_t v : mesh.triangle(f)) {
+      const Vec3& p = mesh.position(v);
+      const double d = point_segment_distance(p, seen.a, seen.b);
+      if (d > distance.values[v]) continue;
+      // Of cracks that meet at the vertex, the first that opened.
+      const bool tie = d == distance.values[v] && time.values[v] >= 0;
+      if (!tie || t < time.values[v]) time.values[v] = t;
+      const double came = arrival(seen, p);
+      if (!tie || came < growth.values[v]) growth.values[v] = came;
+      distance.values[v] = d;
+    }
+  });
+  set_attribute(surface.vertex_attributes, std::move(distance));
+  set_attribute(surface.vertex_attributes, std::move(time));
+  set_attribute(surface.vertex_attributes, std::move(growth));
+}
+
+}  // namespace
+
+SurfaceMesh plain_cut_surface(const Result& result) {
+  return transfer_attributes(result.state().surface, result.state().simulation->mesh());
+}
+
+SurfaceMesh cut_surface(const Result& result, const GrowthTimes& times, const Context& context) {
+  const Simulation& simulation = *result.state().simulation;
+  SurfaceMesh surface = plain_cut_surface(result);
+  add_nearest_crack(surface, simulation, times, context);
+
+  Attribute displacement{"displacement", 3, {}};
+  for (std::int32_t v = 0; v < simulation.mesh().vertex_count(); ++v) {
+    const Vec3 u = simulation.displacement(v);
+    displacement.values.insert(displacement.values.end(), u.data(), u.data() + 3);
+  }
+  set_attribute(surface.vertex_attributes, std::move(displacement));
+  const std::vector<std::int32_t>& fragment = result.state().fragments.face;
+  set_attribute(surface.face_attributes, {"fragment", 1, {fragment.begin(), fragment.end()}});
+  const std::vector<std::int32_t>& source = surface.source_faces;
+  set_attribute(surface.face_attributes, {"source_face", 1, {source.begin(), source.end()}});
+  return surface;
+}
+
+}  // namespace craze

@@ -1,0 +1,14 @@
+#include "craze/mesh/mesh_parts.h"
+#include "craze/products/products.h"
+
+namespace craze {
+
+std::vector<SurfaceMesh> fragments(const SurfaceMesh& mesh) {
+  std::vector<SurfaceMesh> pieces;
+  for (const MeshPart& part : mesh_parts(mesh, "fragment")) {
+    pieces.push_back(extract_part(mesh, part.faces).mesh);
+  }
+  return pieces;
+}
+
+}  // namespace craze

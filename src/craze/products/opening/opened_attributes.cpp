@@ -1,0 +1,101 @@
+#include "craze/products/opening/opened_attributes.h"
+
+#include <algorithm>
+
+namespace craze {
+
+namespace {
+
+/// Per face the halfedge of the cut mesh that lends a corner its UV: its own, or for a wall one at
+/// the surface vertex the corner belongs to.
+std::int32_t corner_source(const TriangleMesh& cut, const OpenedMesh& opened, std::size_t face,
+                           int corner) {
+  const std::int32_t f = opened.face_of[face];
+  if (f >= 0) return 3 * f + corner;
+  return cut.first_halfedge(opened.vertex_of[opened.mesh.triangles[face][corner]]);
+}
+
+/// Per face the face of the cut mesh that it takes after: itself, or for a wall one at its rim.
+std::vector<std::int32_t> parents(const TriangleMesh& cut, const OpenedMesh& opened) {
+  std::vector<std::int32_t> parent = opened.face_of;
+  for (std::size_t f = 0; f < parent.size(); ++f) {
+    if (parent[f] >= 0) continue;
+    const Triangle& t = opened.mesh.triangles[f];
+    const auto* rim =
+        std::find_if(t.begin(), t.end(), [&](std::int32_t v) { return v < cut.vertex_count(); });
+    parent[f] = cut.first_halfedge(rim == t.end() ? opened.vertex_of[t[0]] : *rim) / 3;
+  }
+  return parent;
+}
+
+Vec3 face_normal(const SurfaceMesh& mesh, std::size_t f) {
+  const Triangle& t = mesh.triangles[f];
+  const Vec3& p = mesh.positions[t[0]];
+  return (mesh.positions[t[1]] - p).cross(mesh.positions[t[2]] - p).normalized();
+}
+
+void add_materials(SurfaceMesh& result, const SurfaceMesh& cut_surface,
+                   const std::vector<std::int32_t>& parent, const OpenedMesh& opened) {
+  result.material_names = cut_surface.material_names;
+  const auto wall = static_cast<std::int32_t>(result.material_names.size());
+  result.material_names.emplace_back("crack_wall");
+  result.face_materials.assign(parent.size(), -1);
+  for (std::size_t f = 0; f < parent.size(); ++f) {
+    if (opened.face_of[f] < 0) {
+      result.face_materials[f] = wall;
+    } else if (!cut_surface.face_materials.empty()) {
+      result.face_materials[f] = cut_surface.face_materials[parent[f]];
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh& cut,
+                              const OpenedMesh& opened, bool keep_normals) {
+  SurfaceMesh result;
+  result.positions = opened.mesh.positions;
+  result.triangles = opened.mesh.triangles;
+  const std::vector<std::int32_t> parent = parents(cut, opened);
+  const std::size_t faces = parent.size();
+
+  const bool normals = keep_normals && !cut_surface.corner_normals.empty();
+  for (std::size_t f = 0; f < faces; ++f) {
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t source = corner_source(cut, opened, f, i);
+      if (!cut_surface.corner_uvs.empty()) {
+        result.corner_uvs.push_back(cut_surface.corner_uvs[source]);
+      }
+      if (!normals) continue;
+      const bool wall = opened.face_of[f] < 0;
+      result.corner_normals.push_back(wall ? face_normal(result, f)
+                                           : cut_surface.corner_normals[source]);
+    }
+  }
+  for (const std::int32_t v : opened.vertex_of) {
+    if (!cut_surface.vertex_colors.empty()) {
+      result.vertex_colors.push_back(cut_surface.vertex_colors[v]);
+    }
+  }
+  for (const Attribute& a : cut_surface.vertex_attributes) {
+    result.vertex_attributes.push_back(pick(a, opened.vertex_of));
+  }
+  for (const Attribute& a : cut_surface.face_attributes) {
+    result.face_attributes.push_back(pick(a, parent));
+    if (a.name != "source_face") continue;
+    for (std::size_t f = 0; f < faces; ++f) {
+      if (opened.face_of[f] < 0) result.face_attributes.back().values[f] = -1;
+    }
+  }
+  for (std::size_t f = 0; f < faces; ++f) {
+    result.source_faces.push_back(opened.face_of[f] < 0 ? -1 : cut_surface.source_faces[parent[f]]);
+  }
+  const bool any_wall =
+      std::find(opened.face_of.begin(), opened.face_of.end(), -1) != opened.face_of.end();
+  if (any_wall || !cut_surface.face_materials.empty()) {
+    add_materials(result, cut_surface, parent, opened);
+  }
+  return result;
+}
+
+}  // namespace craze

@@ -1,0 +1,27 @@
+// The cracked surface as it is shown: shut, or opened as [post] asks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "craze/base/context.h"
+#include "craze/engine/engine.h"
+#include "craze/mesh/surface_mesh.h"
+#include "craze/products/opening/opening.h"
+
+namespace craze {
+
+struct OpenedSurface {
+  SurfaceMesh mesh;                   ///< with all attributes
+  OpenedMesh opened;                  ///< where its faces and vertices come from
+  bool shut = true;                   ///< the cracks are lines, not gaps
+  std::vector<std::string> warnings;  ///< what could not be done as asked, a sentence each
+};
+
+/// `cut` is the result's cut mesh with the attributes that are to be shown (cut_surface.h). The
+/// result is not cracked again: any number of openings may be made of it. Throws Error(request) for
+/// parameters that are negative or not finite, and Cancelled.
+OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, const PostParameters& post,
+                             const Context& context);
+
+}  // namespace craze

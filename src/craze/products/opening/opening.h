@@ -1,0 +1,42 @@
+// Gaps, side walls and curl: section 5 of the paper.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "craze/base/context.h"
+#include "craze/mesh/surface_mesh.h"
+#include "craze/mesh/triangle_mesh.h"
+
+namespace craze {
+
+struct OpeningOptions {
+  double gap = 0;            ///< γ of Eq. 9; 0: the cracks stay shut
+  double wall = 0;           ///< depth of the side walls, length; 0: none
+  double curl = 0;           ///< lift of the crack's edges over their displacement; below 0: down
+  double curl_length = 0;    ///< how far the lift reaches inwards; 0: by the spacing of the cracks
+  bool border_wall = true;   ///< walls along the border of the input too: a sheet becomes a slab
+  bool keep_border = false;  ///< border vertices that are on no crack stay where they are
+};
+
+/// The cut mesh, opened. Attributes are for the caller to carry over by the two maps.
+struct OpenedMesh {
+  /// Positions, triangles, face_materials: 0 = "crack_wall" for side walls, −1 otherwise. The faces
+  /// and vertices of the simulation mesh come first, in its order.
+  SurfaceMesh mesh;
+  std::vector<std::int32_t> vertex_of;  ///< #V: the simulation vertex
+  std::vector<std::int32_t> face_of;    ///< #F: the simulation face, −1 for walls
+  /// Where the surface would have passed through itself it was opened less.
+  std::int32_t limited_vertices = 0;  ///< of the simulation mesh
+  double least_share = 1;             ///< of the opening asked for
+  std::int32_t folded_faces = 0;      ///< faces turned over all the same
+  std::int32_t crossings = 0;         ///< pairs of triangles that cross all the same
+};
+
+/// `displacement` (#V): the accumulated virtual displacement u of each vertex, world axes. The
+/// result is closed, by index, wherever the input of the simulation was. Throws Error(request) if
+/// the arrays do not fit or an option is negative or not finite, and Cancelled.
+OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displacement,
+                       const OpeningOptions& options, const Context& context);
+
+}  // namespace craze

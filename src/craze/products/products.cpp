@@ -1,0 +1,84 @@
+#include "craze/products/products.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "craze/engine/cracked_surface.h"
+#include "craze/products/cut_surface.h"
+#include "craze/products/growth/growth.h"
+#include "craze/products/opening/opened_surface.h"
+#include "craze/products/report_json.h"
+#include "craze/products/statistics/graph/simplify_lines.h"
+
+namespace craze {
+
+namespace {
+
+StatisticsWithSensitivity statistics_of(const CrackedSurface& state) {
+  return compute_with_sensitivity(graph_from_network(state.network, state.simulation->mesh()));
+}
+
+}  // namespace
+
+struct Opening::State {
+  Result result;
+  GrowthTimes times;
+  OpenedSurface surface;
+};
+
+struct GrowthClip::State {
+  std::shared_ptr<const Opening::State> opening;
+  Growth growth;
+};
+
+SurfaceMesh cut_mesh(const Result& result, const Context& context) {
+  return cut_surface(result, growth_times(result), context);
+}
+
+Opening::Opening(const Result& result, const PostParameters& post, const Context& context) {
+  GrowthTimes times = growth_times(result);
+  SurfaceMesh cut = cut_surface(result, times, context);
+  OpenedSurface surface = opened_surface(result, std::move(cut), post, context);
+  state_ = std::make_shared<const State>(State{result, std::move(times), std::move(surface)});
+}
+
+const SurfaceMesh& Opening::mesh() const {
+  return state_->surface.mesh;
+}
+
+const std::vector<std::string>& Opening::warnings() const {
+  return state_->surface.warnings;
+}
+
+GrowthClip::GrowthClip(const Opening& opening)
+    : state_(std::make_shared<const State>(
+          State{opening.state_,
+                {opening.state_->result, opening.state_->times, opening.state_->surface}})) {}
+
+std::vector<Vec3> GrowthClip::positions_at(double time) const {
+  return state_->growth.positions_at(time);
+}
+
+std::vector<double> GrowthClip::openness_at(double time) const {
+  return state_->growth.openness_at(time);
+}
+
+std::string report_json(const Result& result) {
+  const CrackedSurface& state = result.state();
+  if (state.network.edges.empty()) return report_to_json(result.report(), nullptr).dump(2);
+  const StatisticsWithSensitivity statistics = statistics_of(state);
+  return report_to_json(result.report(), &statistics).dump(2);
+}
+
+std::string statistics_json(const Result& result) {
+  if (result.state().network.edges.empty()) return "{}";
+  return to_json(statistics_of(result.state()), {}).dump(2);
+}
+
+std::string statistics_json(const LineSet& lines, double simplify) {
+  CrackGraphInput graph = graph_from_lines(lines);
+  simplify_lines(graph, simplify);
+  return to_json(compute_with_sensitivity(graph), {}).dump(2);
+}
+
+}  // namespace craze

@@ -1,0 +1,79 @@
+// What can be made of a finished run: meshes, lines, growth, numbers. Each is computed when asked
+// for, from the result alone; nothing is cracked again.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "craze/base/context.h"
+#include "craze/engine/engine.h"
+#include "craze/mesh/surface_mesh.h"
+#include "craze/recipe/recipe.h"
+
+namespace craze {
+
+/// The cut mesh, shut, with everything known of it. Attributes of these names that the surface
+/// already has are replaced.
+/// Per vertex: crack_distance, length along the surface to the nearest crack, the diagonal of the
+/// box where there is none; crack_time, the load when that crack opened, and crack_growth, 0 … 1,
+/// when it came by in a clip of the growth, both −1 where there is none; displacement, [IO06 Eq. 9]
+/// with γ = 1, length. Per face: fragment, the part of the cut mesh; source_face, the input's face.
+/// Throws Cancelled.
+SurfaceMesh cut_mesh(const Result& result, const Context& context);
+
+/// The cut mesh with its cracks open: gaps, side walls, curl (section 5 of the paper). Immutable
+/// and cheap to copy.
+class Opening {
+ public:
+  /// Throws Error(request) for parameters that are negative or not finite, and Cancelled.
+  Opening(const Result& result, const PostParameters& post, const Context& context);
+
+  /// The vertices and faces of cut_mesh() come first, in its order, then those of side walls, whose
+  /// material is "crack_wall".
+  const SurfaceMesh& mesh() const;
+  /// What could not be done as asked, a sentence each.
+  const std::vector<std::string>& warnings() const;
+
+ private:
+  friend class GrowthClip;
+  struct State;
+  std::shared_ptr<const State> state_;
+};
+
+/// An opening as it comes to be, crack by crack, from 0 (no crack) to 1 (all of them).
+class GrowthClip {
+ public:
+  explicit GrowthClip(const Opening& opening);
+
+  /// #V of the opening's mesh, model units: its vertices at a time of the clip.
+  std::vector<Vec3> positions_at(double time) const;
+  /// #V, 0 … 1: how far the crack at each vertex is open by then; 0 away from cracks.
+  std::vector<double> openness_at(double time) const;
+
+ private:
+  struct State;
+  std::shared_ptr<const State> state_;
+};
+
+/// The cracks as a graph on the surface; edges meet only at points. Point attributes: junction (0
+/// end, 1 bend, 2 junction, 3 on the border), normal. Edge attributes: time, the load when it
+/// opened; width, length, [IO06 Eq. 9] with γ = 1; event, the number of the crack. UVs, two per
+/// edge, where the surface has some.
+LineSet crack_lines(const Result& result);
+
+/// The parts of a mesh by its face attribute `fragment`, in order; each has what the whole has.
+/// Throws Error(request) where there is no such attribute.
+std::vector<SurfaceMesh> fragments(const SurfaceMesh& mesh);
+
+/// The report of a run as JSON (docs/outputs.md), its pattern's statistics included.
+std::string report_json(const Result& result);
+
+/// The statistics of a run's pattern as JSON (docs/statistics.md); "{}" where nothing cracked.
+std::string statistics_json(const Result& result);
+
+/// The same of lines: drawn by as few of their points as stay within `simplify` of them, a length;
+/// 0: as they are. Throws Error(request) for lines that are not in a plane and have no normals.
+std::string statistics_json(const LineSet& lines, double simplify);
+
+}  // namespace craze

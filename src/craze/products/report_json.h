@@ -1,0 +1,21 @@
+// The report of a run as JSON, for files and other programs.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "craze/engine/report.h"
+#include "craze/products/statistics/statistics_report.h"
+
+namespace craze {
+
+/// Keys: version seed threads engine; input, simulation, output .{vertices,triangles};
+/// cracks.{events,segments,length,fragments}; load; stop_reason; warnings;
+/// time.{total,load,prepare,relax,separation,crack,write}; statistics (empty where none are given);
+/// repair; recipe.
+nlohmann::ordered_json report_to_json(const Report& report,
+                                      const StatisticsWithSensitivity* statistics);
+
+/// What repair found and did, one number per kind.
+nlohmann::ordered_json repair_to_json(const RepairReport& repair);
+
+}  // namespace craze

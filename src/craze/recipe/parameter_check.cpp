@@ -1,0 +1,106 @@
+// Is a value of the right type and in range? And the table as JSON.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "craze/base/error.h"
+#include "craze/recipe/nearest_name.h"
+#include "craze/recipe/parameter_table.h"
+#include "craze/recipe/utf8.h"
+
+namespace craze {
+
+namespace {
+
+bool has_type(const ParameterValue& value, ParameterType type) {
+  const auto* numbers = std::get_if<std::vector<double>>(&value);
+  switch (type) {
+    case ParameterType::real:
+      return std::holds_alternative<double>(value);
+    case ParameterType::integer:
+      return std::holds_alternative<std::int64_t>(value);
+    case ParameterType::boolean:
+      return std::holds_alternative<bool>(value);
+    case ParameterType::choice:
+    case ParameterType::string:
+      return std::holds_alternative<std::string>(value);
+    case ParameterType::vec3:
+      return numbers && numbers->size() == 3;
+    case ParameterType::tensor6:
+      return numbers && numbers->size() == 6;
+    case ParameterType::edge:
+      return std::holds_alternative<double>(value) || std::holds_alternative<std::string>(value);
+  }
+  return false;
+}
+
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+void check_value(const Parameter& p, const ParameterValue& value, const std::string& key,
+                 const std::string& where) {
+  const auto fail = [&](const std::string& what, const std::string& why) {
+    throw Error(ErrorKind::usage, what, where, why);
+  };
+  if (!has_type(value, p.type)) {
+    fail("wrong type for " + key, fmt::format("must be {}", type_in_words(p.type)));
+  }
+  const auto check_number = [&](double x) {
+    if (!std::isfinite(x))
+      fail(key + " is not finite", "must be " + range_in_words(p.range, p.type));
+    if (!p.range.contains(x)) {
+      fail(fmt::format("{} = {} is out of range", key, x),
+           "must be " + range_in_words(p.range, p.type));
+    }
+  };
+  if (const auto* real = std::get_if<double>(&value)) check_number(*real);
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+    check_number(static_cast<double>(*integer));
+  }
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+    for (const double x : *numbers) check_number(x);
+  }
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    if (!is_utf8(*text)) fail(key + " is not text", "must be UTF-8");
+    if (p.type == ParameterType::string) return;
+    if (std::find(p.choices.begin(), p.choices.end(), *text) != p.choices.end()) return;
+    const std::string nearest = nearest_name(*text, p.choices);
+    const std::string length = p.type == ParameterType::edge ? " or a length" : "";
+    fail(fmt::format("{} has no choice {}", key, format_value(value)),
+         (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "must be " + join(p.choices) +
+             length);
+  }
+}
+
+nlohmann::ordered_json parameters_to_json() {
+  auto list = nlohmann::ordered_json::array();
+  for (const Parameter& p : parameter_table()) {
+    nlohmann::ordered_json entry{{"key", p.key},
+                                 {"section", p.section()},
+                                 {"name", p.name()},
+                                 {"type", type_name(p.type)},
+                                 {"default", value_to_json(p.default_value())}};
+    if (std::isfinite(p.range.low)) entry["minimum"] = p.range.low;
+    if (std::isfinite(p.range.high)) entry["maximum"] = p.range.high;
+    if (p.range.low_open) entry["exclusive_minimum"] = true;
+    if (!p.choices.empty()) entry["choices"] = p.choices;
+    entry["symbol"] = p.symbol;
+    entry["unit"] = p.unit;
+    entry["help"] = p.help;
+    entry["source"] = p.source;
+    entry["repeated"] = p.repeated();
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace craze

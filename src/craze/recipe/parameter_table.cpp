@@ -1,0 +1,300 @@
+#include "craze/recipe/parameter_table.h"
+
+#include <algorithm>
+
+#include "craze/recipe/parameter_section.h"
+
+namespace craze {
+
+namespace {
+
+constexpr ParameterRange any{};
+constexpr ParameterRange not_negative{0};
+constexpr ParameterRange positive{0, any.high, true};
+constexpr ParameterRange share{0, 1};
+constexpr ParameterRange positive_share{0, 1, true};
+constexpr ParameterRange angle{0, 90};
+constexpr ParameterRange count{0, 9007199254740992.0};  // 2^53: whole in a double, and in JSON
+constexpr ParameterRange from_one{1, count.high};
+
+std::vector<Parameter> make_table() {
+  std::vector<Parameter> t;
+
+  Section(
+      t, "", [](auto& r, std::size_t) -> auto& { return r.simulation; })
+      .add("engine", &SimulationParameters::engine, any,
+           {.help = "how the stress relaxes: the paper's Euler steps, or straight to equilibrium",
+            .source = "[IO06 §4.1]",
+            .choices = {"euler", "quasistatic"}})
+      .add("seed", &SimulationParameters::seed, count,
+           {.help = "names the random numbers of a run; the same seed gives the same bytes"});
+
+  Section(
+      t, "mesh.", [](auto& r, std::size_t) -> auto& { return r.mesh; })
+      .add("edge", &MeshParameters::edge, positive,
+           {.help = "edge length of the simulation mesh; \"keep\": the input's triangles",
+            .symbol = "h",
+            .unit = "length",
+            .choices = {"auto", "keep"}});
+
+  Section(
+      t, "stress.", [](auto& r, std::size_t) -> auto& { return r.simulation.stress; })
+      .add("uniform", &StressParameters::uniform, any,
+           {.help = "tension equal in all directions",
+            .symbol = "σ₀",
+            .unit = "stress",
+            .source = "[IO06 §3.2]"})
+      .add("tensor", &StressParameters::tensor, any,
+           {.help = "xx yy zz xy yz zx in world axes, projected into each triangle",
+            .symbol = "σ₀",
+            .unit = "stress",
+            .source = "[IO06 §3.2]"})
+      .add("noise", &StressParameters::noise, not_negative,
+           {.help = "random part of the stress, relative standard deviation",
+            .source = "[IO06 §3.2]"})
+      .add("noise_length", &StressParameters::noise_length, not_negative,
+           {.help = "over which length the noise is alike; 0: each triangle by itself",
+            .unit = "length"})
+      .add("relative_noise_length", &StressParameters::relative_noise_length, not_negative,
+           {.help = "noise_length as a multiple of the screening length, where noise_length is 0"})
+      .add("curvature", &StressParameters::curvature, any,
+           {.help = "times the curvature tensor is added",
+            .unit = "stress·length",
+            .source = "[IO06 §3.2]"})
+      .add("curvature_radius", &StressParameters::curvature_radius, not_negative,
+           {.help = "neighbourhood the curvature is measured over; 0: twice the mean edge",
+            .unit = "length",
+            .source = "[CSM03]"})
+      .add("attribute", &StressParameters::attribute, any,
+           {.help = "name of a vertex or face attribute of the input to add: 1 value, or 6 in the "
+                    "order of stress.tensor",
+            .unit = "stress",
+            .source = "[IO06 §3.2]"})
+      .add("texture", &StressParameters::texture, any,
+           {.help = "file of a grey picture in UV space that the stress is multiplied with"});
+
+  Section(
+      t, "impact.", [](auto& r, std::size_t index) -> auto& { return r.simulation.impacts[index]; })
+      .add("point", &Impact::point, any,
+           {.help = "where the surface is hit", .unit = "length", .source = "[IO06 §4.1, Fig. 3]"})
+      .add("radius", &Impact::radius, positive,
+           {.help = "within it the amplitudes hold in full", .unit = "length"})
+      .add("radial", &Impact::radial, any,
+           {.help = "tension along the rays: opens rings", .unit = "stress"})
+      .add("hoop", &Impact::hoop, any,
+           {.help = "tension around the point: opens rays", .unit = "stress"})
+      .add("falloff", &Impact::falloff, not_negative,
+           {.help = "exponent of the decay beyond the radius"})
+      .add("radial_falloff", &Impact::radial_falloff, not_negative,
+           {.help = "exponent for the radial part alone; 0: falloff"})
+      .add("hoop_falloff", &Impact::hoop_falloff, not_negative,
+           {.help = "exponent for the hoop part alone; 0: falloff"});
+
+  Section(
+      t, "material.", [](auto& r, std::size_t) -> auto& { return r.simulation.material; })
+      .add("toughness", &MaterialParameters::toughness, not_negative,
+           {.help = "a node fails where the separation tensor's eigenvalue exceeds it",
+            .symbol = "τ",
+            .unit = "force",
+            .source = "[IO06 §3.4]"})
+      .add("strength", &MaterialParameters::strength, positive,
+           {.help = "stress at which an intact place fails (criterion \"strength\")",
+            .symbol = "σ_c",
+            .unit = "stress"})
+      .add("criterion", &MaterialParameters::criterion, any,
+           {.help = "\"force\": the paper's; \"strength\": independent of the mesh",
+            .source = "[IO06 §3.4]",
+            .choices = {"force", "strength"}})
+      .add("alpha", &MaterialParameters::alpha, share,
+           {.help = "share of the excess carried to the new tips: low is jagged, high is straight",
+            .symbol = "α",
+            .source = "[IO06 Eq. 8]"})
+      .add("relative_toughness", &MaterialParameters::relative_toughness, not_negative,
+           {.help =
+                "toughness as a multiple of strength · √ℓ (criterion \"strength\"); 0: toughness "
+                "as given"})
+      .add("process_zone", &MaterialParameters::process_zone, not_negative,
+           {.help = "no intact place fails this close to a crack tip (criterion \"strength\"); 0: "
+                    "half the screening length",
+            .unit = "length"})
+      .add("scatter", &MaterialParameters::scatter, share,
+           {.help = "random part of the strength, relative standard deviation"})
+      .add("scatter_length", &MaterialParameters::scatter_length, not_negative,
+           {.help = "over which length the scatter is alike; 0: stress.noise_length",
+            .unit = "length"})
+      .add("relative_scatter_length", &MaterialParameters::relative_scatter_length, not_negative,
+           {.help =
+                "scatter_length as a multiple of the screening length, where scatter_length is 0"})
+      .add("lookahead", &MaterialParameters::lookahead, not_negative,
+           {.help = "length ahead of a crack tip over whose mean stress it turns, so that it meets "
+                    "other cracks squarely, and never backward; 0, or less than an edge: it "
+                    "turns by the forces at the tip alone",
+            .unit = "length"})
+      .add("relative_lookahead", &MaterialParameters::relative_lookahead, not_negative,
+           {.help = "lookahead as a multiple of the screening length, where lookahead is 0"})
+      .add("curvature_scale", &MaterialParameters::curvature_scale, any,
+           {.help = "what of the curvature multiplies the separation tensor",
+            .source = "[IO06 §4.1, Figs. 4, 10]",
+            .choices = {"none", "gaussian", "mean", "frobenius", "sum-of-squares"}})
+      .add("bias", &MaterialParameters::bias, share,
+           {.help = "preference for cracks along the principal directions of curvature",
+            .source = "[IO06 Fig. 2]"})
+      .add("attribute", &MaterialParameters::attribute, any,
+           {.help = "name of a scalar attribute of the input that multiplies toughness and "
+                    "strength; 0: no crack, ever"})
+      .add("texture", &MaterialParameters::texture, any,
+           {.help = "file of a grey picture in UV space that multiplies them too"});
+
+  Section(
+      t, "layer.", [](auto& r, std::size_t) -> auto& { return r.simulation.layer; })
+      .add("spacing", &LayerParameters::spacing, not_negative,
+           {.help = "distance between cracks to aim for; sets the adhesion", .unit = "length"})
+      .add("relative_spacing", &LayerParameters::relative_spacing, not_negative,
+           {.help = "spacing as part of the object's diagonal, where neither spacing nor "
+                    "screening_length is given"})
+      .add("screening_length", &LayerParameters::screening_length, not_negative,
+           {.help = "over which a crack unloads its surroundings; 0: no adhesion, as in the paper",
+            .symbol = "ℓ",
+            .unit = "length"})
+      .add("rounds", &LayerParameters::rounds, count,
+           {.help = "times at most that all is cracked anew with the screening length put right by "
+                    "the spacing that came out, until it is within 5 % of what was asked for"})
+      .add("attribute", &LayerParameters::attribute, any,
+           {.help = "name of a scalar attribute of the input that multiplies the spacing; 0: no "
+                    "crack, ever"})
+      .add("texture", &LayerParameters::texture, any,
+           {.help = "file of a grey picture in UV space that multiplies it too"});
+
+  Section(
+      t, "evolution.", [](auto& r, std::size_t) -> auto& { return r.simulation.evolution; })
+      .add("shrinkage", &EvolutionParameters::shrinkage, not_negative,
+           {.help = "tension added everywhere per step (euler)",
+            .symbol = "c",
+            .unit = "stress",
+            .source = "[IO06 §4.1]"})
+      .add("curvature_growth", &EvolutionParameters::curvature_growth, any,
+           {.help = "times the curvature tensor is added per step (euler), or per unit of the load "
+                    "factor (quasistatic)",
+            .unit = "stress·length",
+            .source = "[IO06 §4.1]"})
+      .add("time_step", &EvolutionParameters::time_step, positive,
+           {.help = "rate of one relaxation step", .symbol = "Δt", .source = "[IO06 Eq. 3]"})
+      .add("relaxation_steps", &EvolutionParameters::relaxation_steps, count,
+           {.help = "relaxation steps between two crack events (euler)",
+            .symbol = "R",
+            .source = "[IO06 Eq. 9]"})
+      .add("cracks_per_step", &EvolutionParameters::cracks_per_step, from_one,
+           {.help = "nodes cracked between two relaxations; 1 is the paper's",
+            .source = "[IO06 §3.1]"})
+      .add("max_load", &EvolutionParameters::max_load, not_negative,
+           {.help = "load factor to stop at (quasistatic)", .symbol = "s"})
+      .add(
+          "load_step", &EvolutionParameters::load_step, not_negative,
+          {.help = "nodes that fail within this part of the load, too far apart to interact, crack "
+                   "in one step; 0: the next one only (quasistatic)"})
+      .add(
+          "residual", &EvolutionParameters::residual, positive,
+          {.help = "largest force left on a node when the next crack is looked for, over the force "
+                   "at which nodes fail (quasistatic)"})
+      .add("max_cracks", &EvolutionParameters::max_cracks, count,
+           {.help = "crack events to stop after; 0: no limit"})
+      .add("cycles", &EvolutionParameters::cycles, from_one,
+           {.help = "times the layer cracks; in between it heals, and the last cycle is the result",
+            .source = "Goehring et al. 2010"})
+      .add("healing", &EvolutionParameters::healing, positive_share,
+           {.help =
+                "strength across a healed crack, over that of the layer around it; 1: nothing is "
+                "remembered"})
+      .add("scar_width", &EvolutionParameters::scar_width, positive,
+           {.help = "half width of the weak strip that a healed crack leaves, over the screening "
+                    "length"})
+      .add("drift", &EvolutionParameters::drift, not_negative,
+           {.help = "how far the junctions of healed cracks move from cycle to cycle, toward three "
+                    "angles of 120 degrees, over the screening length; 0: they stay",
+            .source = "Goehring et al. 2010"});
+
+  Section(
+      t, "boundary.", [](auto& r, std::size_t) -> auto& { return r.simulation.boundary; })
+      .add("default", &BoundaryParameters::kind, any,
+           {.help = "whether the open border may move",
+            .source = "[IO06 §4.1]",
+            .choices = {"free", "fixed"}})
+      .add("fixed_attribute", &BoundaryParameters::fixed_attribute, any,
+           {.help = "name of a vertex attribute of the input: vertices above 0.5 are fixed"});
+
+  Section(
+      t, "crack.", [](auto& r, std::size_t) -> auto& { return r.simulation.crack; })
+      .add("snap_angle", &CrackParameters::snap_angle, angle,
+           {.help = "a crack closer than this to a mesh edge follows the edge",
+            .symbol = "θ₁",
+            .unit = "degrees",
+            .source = "[IO06 Fig. 5]"})
+      .add("back_angle", &CrackParameters::back_angle, angle,
+           {.help = "a crack closer than this to an older crack at its node is dropped",
+            .symbol = "θ₂",
+            .unit = "degrees",
+            .source = "[IO06 Fig. 5]"})
+      .add("near_vertex", &CrackParameters::near_vertex, any,
+           {.help = "within snap_angle of an edge: \"snap\" bends the crack to the edge, \"slide\" "
+                    "moves the edge's end onto the crack, so that cracks do not see the mesh",
+            .choices = {"snap", "slide"}})
+      .add("stride", &CrackParameters::stride, not_negative,
+           {.help = "how far a crack runs straight on before equilibrium is sought again, as a "
+                    "multiple of the screening length; 0: one edge (quasistatic)"});
+
+  Section(
+      t, "post.", [](auto& r, std::size_t) -> auto& { return r.post; })
+      .add("gap", &PostParameters::gap, not_negative,
+           {.help = "how far cracks open: scales the displacement",
+            .symbol = "γ",
+            .source = "[IO06 Eq. 9]"})
+      .add("wall", &PostParameters::wall, not_negative,
+           {.help = "depth of the side walls of open cracks; 0: none",
+            .unit = "length",
+            .source = "[IO06 §5]"})
+      .add("curl", &PostParameters::curl, any,
+           {.help = "lift of the crack edges, as a share of their displacement; below 0: down",
+            .source = "[IO06 §5, Fig. 9]"});
+
+  Section(
+      t, "picture.", [](auto& r, std::size_t) -> auto& { return r.picture; })
+      .add("material", &PictureParameters::material, any,
+           {.help = "look of the surface in pictures: clay, mud, glaze, plaster, glass or paint"})
+      .add("up", &PictureParameters::up, any,
+           {.help = "axis that points up in pictures; auto: z for flat plates and built-in shapes, "
+                    "else y",
+            .choices = {"auto", "x", "y", "z"}});
+  return t;
+}
+
+}  // namespace
+
+const std::vector<Parameter>& parameter_table() {
+  static const std::vector<Parameter> table = make_table();
+  return table;
+}
+
+std::string Parameter::section() const {
+  const auto dot = key.find('.');
+  return dot == std::string::npos ? "" : key.substr(0, dot);
+}
+
+std::string Parameter::name() const {
+  const auto dot = key.find('.');
+  return dot == std::string::npos ? key : key.substr(dot + 1);
+}
+
+ParameterValue Parameter::default_value() const {
+  Recipe recipe;
+  if (repeated()) recipe.simulation.impacts.emplace_back();
+  return get(recipe, 0);
+}
+
+const Parameter* find_parameter(std::string_view key) {
+  const auto& table = parameter_table();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const Parameter& p) { return p.key == key; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+}  // namespace craze

@@ -1,0 +1,73 @@
+// A recipe: every setting of a run except its files. TOML on disk, JSON between programs, dotted
+// keys on the command line.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "craze/mesh/up_axis.h"
+#include "craze/model/parameters.h"
+
+namespace craze {
+
+/// mesh.edge: how fine the simulation mesh is.
+struct EdgeLength {
+  enum class Kind {
+    automatic,  ///< from the screening length or spacing, else from the input
+    keep,       ///< the input's triangles as they are
+    given,      ///< `length`
+  };
+  Kind kind = Kind::automatic;
+  double length = 0;  ///< target edge length, model units; 0 unless given
+};
+
+/// [mesh]
+struct MeshParameters {
+  EdgeLength edge;
+};
+
+/// [post]: §5 of the paper, done to the finished mesh.
+struct PostParameters {
+  double gap = 0;   ///< γ of Eq. 9
+  double wall = 0;  ///< depth of the side walls, model units
+  double curl = 0;  ///< lift at a crack, as a share of the displacement there
+};
+
+/// [picture]: how the result is shown.
+struct PictureParameters {
+  std::string material = "clay";  ///< a name of the renderer's materials
+  UpAxis up = UpAxis::automatic;
+};
+
+struct Recipe {
+  SimulationParameters simulation;
+  MeshParameters mesh;
+  PostParameters post;
+  PictureParameters picture;
+};
+
+/// Equal in every parameter of the table.
+bool operator==(const Recipe& a, const Recipe& b);
+
+/// Sets what a TOML or JSON text gives and leaves the rest of `base` as it is; impacts given
+/// replace those of the base. `name` is the file named in errors. Unknown keys, wrong types, values
+/// out of range, text larger than 1 MiB or nested deeper than any recipe needs throw Error(usage)
+/// with the place.
+Recipe read_recipe(std::string_view text, const std::string& name, const Recipe& base = {});
+
+/// Reads a recipe from a file; Error(input) where it cannot be read.
+Recipe read_recipe_file(const std::string& path, const Recipe& base = {});
+
+/// Applies one "key=value" of the command line. The value is written as in TOML, except that words
+/// need no quotes. impact.N.key changes the N-th impact, counted from 0, or appends one where N is
+/// their number. Throws Error(usage).
+void apply_set(Recipe& recipe, const std::string& assignment);
+
+/// TOML with every parameter, which reads back equal.
+std::string write_recipe(const Recipe& recipe);
+
+/// The same as JSON: one object per section, "impact" an array.
+nlohmann::ordered_json recipe_to_json(const Recipe& recipe);
+
+}  // namespace craze

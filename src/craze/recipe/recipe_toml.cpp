@@ -1,0 +1,245 @@
+// Recipes from TOML or JSON text, and single settings from the command line.
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <cctype>
+#include <charconv>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <optional>
+
+#include "craze/base/error.h"
+#include "craze/recipe/json_table.h"
+#include "craze/recipe/nearest_name.h"
+#include "craze/recipe/parameter_table.h"
+
+namespace craze {
+
+namespace {
+
+constexpr std::size_t size_limit = std::size_t{1} << 20;
+constexpr int dots_limit = 16;
+constexpr std::string_view impact_prefix = "impact.";
+
+[[noreturn]] void fail(const std::string& what, const std::string& where, const std::string& why) {
+  throw Error(ErrorKind::usage, what, where, why);
+}
+
+[[noreturn]] void fail_unknown(const std::string& key, const std::string& where) {
+  std::vector<std::string> keys;
+  for (const Parameter& p : parameter_table()) keys.push_back(p.key);
+  const std::string nearest = nearest_name(key, keys);
+  fail("unknown key " + key, where,
+       nearest.empty() ? "craze parameters lists the keys" : "did you mean " + nearest + "?");
+}
+
+bool may_touch_a_key_dot(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) ||
+         std::string_view("_-\"' \t").find(c) != std::string_view::npos;
+}
+
+/// The TOML library limits nested values, but nests one table per dot of a key and takes the stack
+/// with it when they are freed. Keys here have one dot; a run of more than dots_limit is refused
+/// wherever it stands.
+void check_nesting(std::string_view text, const std::string& name) {
+  int dots = 0;
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    if (text[i] == '=' || text[i] == '\n' || text[i] == ',') dots = 0;
+    if (text[i] != '.') continue;
+    if (may_touch_a_key_dot(text[i - 1]) && may_touch_a_key_dot(text[i + 1]) &&
+        ++dots > dots_limit) {
+      fail("not a recipe", name, "keys nested too deep");
+    }
+  }
+}
+
+toml::table parse(std::string_view text, const std::string& name) {
+  if (text.size() > size_limit) {
+    fail("not a recipe", name, fmt::format("larger than {} bytes", size_limit));
+  }
+  if (is_json(text)) return read_json_table(text, name);
+  check_nesting(text, name);
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& e) {
+    const auto at = e.source().begin;
+    std::string why(e.description());
+    why = why.substr(0, why.find('\n'));
+    fail("not a TOML recipe", fmt::format("{}:{}:{}", name, at.line, at.column), why);
+  }
+}
+
+/// The node's value in the type that the parameter asks for; a whole number serves as a real one.
+std::optional<ParameterValue> to_value(const toml::node& node, ParameterType type) {
+  const bool wants_real = type != ParameterType::integer;
+  if (const auto* x = node.as_integer()) {
+    return wants_real ? ParameterValue(static_cast<double>(x->get())) : ParameterValue(x->get());
+  }
+  if (const auto* x = node.as_floating_point()) return x->get();
+  if (const auto* x = node.as_boolean()) return x->get();
+  if (const auto* x = node.as_string()) return x->get();
+  const auto* array = node.as_array();
+  if (!array) return std::nullopt;
+  std::vector<double> numbers;
+  for (const toml::node& element : *array) {
+    if (!element.is_number()) return std::nullopt;
+    numbers.push_back(*element.value<double>());
+  }
+  return numbers;
+}
+
+/// Error messages name the place of a node: "FILE:LINE:COLUMN", or the --set it came from.
+using Locator = std::function<std::string(const toml::node&)>;
+
+void set_node(Recipe& recipe, const Parameter& p, std::size_t index, const toml::node& node,
+              const std::string& key, const Locator& locate) {
+  const auto value = to_value(node, p.type);
+  if (!value) fail("wrong type for " + key, locate(node), "must be " + type_in_words(p.type));
+  check_value(p, *value, key, locate(node));
+  p.set(recipe, index, *value);
+}
+
+void set_leaf(Recipe& recipe, std::size_t index, const std::string& key, const toml::node& node,
+              const Locator& locate) {
+  const Parameter* p = find_parameter(key);
+  if (!p) fail_unknown(key, locate(node));
+  set_node(recipe, *p, index, node, key, locate);
+}
+
+void read_section(Recipe& recipe, const std::string& section, const toml::table& table,
+                  std::size_t index, const Locator& locate) {
+  for (const auto& [key, node] : table) {
+    set_leaf(recipe, index, section + "." + std::string(key.str()), node, locate);
+  }
+}
+
+void read_impacts(Recipe& recipe, const toml::node& node, const Locator& locate) {
+  const auto* array = node.as_array();
+  if (!array || (!array->empty() && !array->is_array_of_tables())) {
+    fail("wrong type for impact", locate(node), "write each impact under its own [[impact]]");
+  }
+  recipe.simulation.impacts.clear();
+  for (const toml::node& element : *array) {
+    recipe.simulation.impacts.emplace_back();
+    read_section(recipe, "impact", *element.as_table(), recipe.simulation.impacts.size() - 1,
+                 locate);
+  }
+}
+
+bool is_section(const std::string& name) {
+  for (const Parameter& p : parameter_table()) {
+    if (p.section() == name) return true;
+  }
+  return false;
+}
+
+/// "impact.2.radius" → {2, "impact.radius"}; other keys keep their name and index 0.
+struct Target {
+  std::size_t index = 0;
+  std::string key;
+};
+
+Target find_target(const Recipe& recipe, const std::string& key, const std::string& where) {
+  if (key.compare(0, impact_prefix.size(), impact_prefix) != 0) return {0, key};
+  const char* begin = key.data() + impact_prefix.size();
+  const char* end = key.data() + key.size();
+  std::size_t index = 0;
+  const auto [rest, status] = std::from_chars(begin, end, index);
+  const std::size_t count = recipe.simulation.impacts.size();
+  if (status != std::errc() || rest == end || *rest != '.') {
+    fail("unknown key " + key, where, "write the impact's number, as in impact.0.radius");
+  }
+  if (index > count) {
+    fail("no impact " + std::string(begin, rest), where,
+         fmt::format("the recipe has {}, so the next is impact.{}", count, count));
+  }
+  return {index, std::string(impact_prefix) + std::string(rest + 1, end)};
+}
+
+bool takes_words(ParameterType type) {
+  return type == ParameterType::string || type == ParameterType::choice ||
+         type == ParameterType::edge;
+}
+
+/// The text after "=" as a node: TOML, or the bare text where the parameter takes words.
+toml::table parse_setting(const Parameter& p, const std::string& text, const std::string& where) {
+  const bool quoted = !text.empty() && (text[0] == '"' || text[0] == '\'');
+  toml::table table;
+  if (p.type == ParameterType::edge || quoted || !takes_words(p.type)) {
+    try {
+      check_nesting(text, where);
+      table = toml::parse("value = " + text);
+      if (table.size() == 1 && !table["value"].is_table()) return table;
+    } catch (const toml::parse_error&) {
+      table.clear();
+    }
+  }
+  if (!takes_words(p.type) || quoted) {
+    fail("wrong type for " + p.key, where, "must be " + type_in_words(p.type));
+  }
+  table.clear();
+  table.insert("value", text);
+  return table;
+}
+
+}  // namespace
+
+Recipe read_recipe(std::string_view text, const std::string& name, const Recipe& base) {
+  const toml::table root = parse(text, name);
+  const Locator locate = [&](const toml::node& node) {
+    const auto at = node.source().begin;
+    return at ? fmt::format("{}:{}:{}", name, at.line, at.column) : name;  // none in JSON
+  };
+  Recipe recipe = base;
+  for (const auto& [toml_key, node] : root) {
+    const std::string key(toml_key.str());
+    if (key == "impact") {
+      read_impacts(recipe, node, locate);
+    } else if (is_section(key) && !key.empty()) {
+      if (!node.is_table()) fail("wrong type for " + key, locate(node), "must be a section");
+      read_section(recipe, key, *node.as_table(), 0, locate);
+    } else if (const auto* table = node.as_table(); table && !table->empty()) {
+      read_section(recipe, key, *table, 0, locate);
+    } else {
+      set_leaf(recipe, 0, key, node, locate);
+    }
+  }
+  return recipe;
+}
+
+Recipe read_recipe_file(const std::string& path, const Recipe& base) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  if (file) {
+    text.resize(size_limit + 1);
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file && !file.eof()) {
+    throw Error(ErrorKind::input, "cannot read the recipe", path, "no such file, or not readable");
+  }
+  return read_recipe(text, path, base);
+}
+
+void apply_set(Recipe& recipe, const std::string& assignment) {
+  std::string where = "--set " + assignment;
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    fail("not a setting", where, "write --set key=value");
+  }
+  const std::string key = assignment.substr(0, equals);
+  const Target target = find_target(recipe, key, where);
+  const Parameter* p = find_parameter(target.key);
+  if (!p) fail_unknown(target.key, where);
+  const toml::table table = parse_setting(*p, assignment.substr(equals + 1), where);
+  Recipe changed = recipe;
+  if (p->repeated() && target.index == changed.simulation.impacts.size()) {
+    changed.simulation.impacts.emplace_back();
+  }
+  set_node(changed, *p, target.index, *table.get("value"), key,
+           [&](const toml::node&) -> std::string { return {where}; });
+  recipe = std::move(changed);
+}
+
+}  // namespace craze

@@ -1,0 +1,78 @@
+#include "craze/engine/cycles.h"
+
+#include <gtest/gtest.h>
+
+#include "craze/base/error.h"
+#include "craze/mesh/shapes.h"
+#include "craze/model/screening.h"
+#include "craze/products/statistics/statistics.h"
+#include "craze/recipe/presets.h"
+
+namespace craze {
+namespace {
+
+SimulationSurface plate() {
+  return {make_shape("plate?n=40&jitter=0.3"), {}};
+}
+
+SimulationParameters mud(std::int64_t cycles) {
+  SimulationParameters p = read_preset("mud-mature").simulation;
+  p.layer.screening_length = 0.1;
+  p.evolution.cycles = cycles;
+  return resolve_lengths(p, 1);
+}
+
+double t_fraction(const LastCycle& last) {
+  const Simulation& s = *last.simulation;
+  return compute_statistics(graph_from_network(s.network(), s.mesh())).t_fraction.value;
+}
+
+TEST(Cycles, TurnJunctionsAwayFromT) {
+  const double first = t_fraction(run_cycles(plate(), mud(1), {}, {}));
+  const double fifth = t_fraction(run_cycles(plate(), mud(5), {}, {}));
+  EXPECT_GT(first, 0.8);
+  EXPECT_LT(fifth, first - 0.15);
+}
+
+TEST(Cycles, TurnJunctionsAwayFromTOnTheMeanOfFourPlates) {
+  double first = 0, fifth = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    SimulationParameters once = mud(1), often = mud(5);
+    once.seed = often.seed = seed;
+    first += t_fraction(run_cycles(plate(), once, {}, {})) / 4;
+    fifth += t_fraction(run_cycles(plate(), often, {}, {})) / 4;
+  }
+  EXPECT_LT(fifth, first - 0.15);
+}
+
+TEST(Cycles, GiveTheSameCracksOnAnyNumberOfThreads) {
+  Context one, three;
+  one.threads = 1;
+  three.threads = 3;
+  const CrackNetwork a = run_cycles(plate(), mud(2), {}, one).simulation->network();
+  const CrackNetwork b = run_cycles(plate(), mud(2), {}, three).simulation->network();
+  ASSERT_EQ(a.nodes.size(), b.nodes.size());
+  ASSERT_EQ(a.edges.size(), b.edges.size());
+  for (std::size_t i = 0; i < a.nodes.size(); ++i) {
+    EXPECT_EQ(a.nodes[i].position, b.nodes[i].position);
+  }
+}
+
+TEST(Cycles, TellHowFarTheyAreAndStopWhenCancelled) {
+  double furthest = 0;
+  Context context;
+  context.progress = [&](const Progress& p) { furthest = std::max(furthest, p.fraction); };
+  context.cancelled = [&] { return furthest > 0.3; };
+  const LastCycle last = run_cycles(plate(), mud(3), {}, context);
+  EXPECT_EQ(last.reason, StopReason::cancelled);
+  EXPECT_DOUBLE_EQ(furthest, 1.0 / 3);
+}
+
+TEST(Cycles, NeedALayerThatSticks) {
+  SimulationParameters p = mud(2);
+  p.layer = {};
+  EXPECT_THROW(run_cycles(plate(), p, {}, {}), Error);
+}
+
+}  // namespace
+}  // namespace craze

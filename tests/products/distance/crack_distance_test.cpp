@@ -1,0 +1,130 @@
+#include "craze/products/distance/crack_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+
+#include "craze/base/random.h"
+#include "craze/base/segment_distance.h"
+#include "products/distance/surfaces.h"
+
+namespace craze {
+namespace {
+
+using test::cut_at_random;
+using test::grid;
+using test::plate;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double straight_distance(const TriangleMesh& mesh, const Vec3& p) {
+  double nearest = infinity;
+  for (const std::int32_t h : crack_sides(mesh)) {
+    nearest = std::min(
+        nearest, point_segment_distance(p, mesh.position(mesh.from(h)), mesh.position(mesh.to(h))));
+  }
+  return nearest;
+}
+
+TEST(CrackDistance, OnAFlatPlateItIsTheStraightDistanceAtEveryPointOfEveryFace) {
+  TriangleMesh mesh = plate(14, 0.35);
+  cut_at_random(mesh, 12, 0, 5);
+  const NearbyCracks cracks = nearby_cracks(mesh, crack_sides(mesh), infinity, {});
+  Random random(9);
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const Triangle& t = mesh.triangle(f);
+    const double u = random.uniform(), v = random.uniform() * (1 - u);
+    const Vec3 p =
+        (1 - u - v) * mesh.position(t[0]) + u * mesh.position(t[1]) + v * mesh.position(t[2]);
+    EXPECT_NEAR(crack_distance(cracks, f, p), straight_distance(mesh, p), 1e-12);
+  }
+  const std::vector<double> at_vertices = crack_distances(mesh, infinity, {});
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    EXPECT_NEAR(at_vertices[v], straight_distance(mesh, mesh.position(v)), 1e-12);
+  }
+}
+
+TEST(CrackDistance, IsExactInsideTheTwoTrianglesOfACoarseMesh) {
+  TriangleMesh mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  mesh.cut(2, 0);
+  const NearbyCracks cracks = nearby_cracks(mesh, crack_sides(mesh), infinity, {});
+  EXPECT_NEAR(crack_distance(cracks, 0, {0.6, 0.4, 0}), 0.2 / std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(crack_distance(cracks, 1, {0, 1, 0}), 1 / std::sqrt(2.0), 1e-15);
+}
+
+TEST(CrackDistance, OnACylinderItIsMeasuredRoundTheCylinder) {
+  const int n = 24;
+  TriangleMesh mesh = grid(n, 10, true, false, [](double s, double t) {
+    const double angle = 2 * std::numbers::pi * s;
+    return Vec3(std::cos(angle), std::sin(angle), t);
+  });
+  // Open the generator at angle 0 from end to end.
+  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+    const auto on_line = [&](std::int32_t v) {
+      return (mesh.position(v).head<2>() - Vec2(1, 0)).norm() < 1e-9;
+    };
+    if (!mesh.is_open(h) && on_line(mesh.from(h)) && on_line(mesh.to(h))) mesh.cut(h, 0);
+  }
+  const std::vector<double> distance = crack_distances(mesh, infinity, {});
+  const double side = 2 * std::sin(std::numbers::pi / n);  // of the regular polygon
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const double angle = std::abs(std::atan2(mesh.position(v).y(), mesh.position(v).x()));
+    const double steps = std::round(angle * n / (2 * std::numbers::pi));
+    EXPECT_NEAR(distance[v], steps * side, 1e-9);
+  }
+}
+
+TEST(CrackDistance, ACrackDoesNotShowThroughAThinWall) {
+  // A strip folded over a rim at x = 1: the back lies 0.01 behind the front.
+  const double thickness = 0.01;
+  TriangleMesh mesh = grid(60, 12, false, false, [&](double s, double t) {
+    const double x = s * (2 + thickness);
+    if (x <= 1) return Vec3(x, t, 0);
+    if (x <= 1 + thickness) return Vec3(1, t, 1 - x);
+    return Vec3(2 + thickness - x, t, -thickness);
+  });
+  std::int32_t cuts = 0;
+  for (std::int32_t h = 0; h < 3 * mesh.face_count() && cuts < 3; ++h) {
+    const Vec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h));
+    const bool along = std::abs(a.x() - b.x()) < 1e-9 && a.z() == 0 && b.z() == 0;
+    if (along && std::abs(a.x() - 0.5) < 0.02 && !mesh.is_open(h)) mesh.cut(h, cuts++);
+  }
+  ASSERT_EQ(cuts, 3);
+  const NearbyCracks near = nearby_cracks(mesh, crack_sides(mesh), 0.2, {});
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    bool behind = true;
+    for (const std::int32_t v : mesh.triangle(f)) behind &= mesh.position(v).z() < 0;
+    EXPECT_TRUE(!behind || near.of(f).empty());
+  }
+  const std::vector<double> distance = crack_distances(mesh, infinity, {});
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.position(v).z() > -thickness / 2) continue;
+    EXPECT_GT(distance[v], 0.45 + 1 - mesh.position(v).x());
+  }
+}
+
+TEST(CrackDistance, FacesBeyondTheReachListNothing) {
+  TriangleMesh mesh = plate(20, 0.2);
+  cut_at_random(mesh, 1, 0, 1);
+  const double reach = 0.1;
+  const NearbyCracks near = nearby_cracks(mesh, crack_sides(mesh), reach, {});
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    double farthest = 0, nearest = infinity;
+    for (const std::int32_t v : mesh.triangle(f)) {
+      const double d = straight_distance(mesh, mesh.position(v));
+      farthest = std::max(farthest, d);
+      nearest = std::min(nearest, d);
+    }
+    EXPECT_TRUE(nearest <= reach + 0.1 || near.of(f).empty());
+    EXPECT_TRUE(farthest >= reach || !near.of(f).empty());
+  }
+}
+
+TEST(CrackDistance, WithoutCracksEveryVertexIsBeyondReach) {
+  const TriangleMesh mesh = plate(3, 0);
+  for (const double d : crack_distances(mesh, 7, {})) EXPECT_EQ(d, 7);
+}
+
+}  // namespace
+}  // namespace craze
