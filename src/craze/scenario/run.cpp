@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 
 #include "craze/base/error.h"
 #include "craze/io/atomic_file.h"
@@ -29,10 +28,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-int thread_count(int asked) {
-  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
 SurfaceMesh load_and_repair(const RunRequest& request, RunReport& report) {
   const SurfaceMesh input = load_surface(request.input);
   report.input = count_mesh(input);
@@ -52,7 +47,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   RunReport report;
   report.recipe = request.recipe;
   if (request.max_cracks) report.recipe.simulation.evolution.max_cracks = *request.max_cracks;
-  report.threads = thread_count(context.threads);
+  report.threads = context.threads.count();
 
   context.report({"load"});
   SurfaceMesh repaired = load_and_repair(request, report);
