@@ -11,7 +11,7 @@ namespace {
 
 // Copies `MiB` at a time; bytes read and bytes written both count.
 void memory_copy(benchmark::State& state) {
-  const auto threads = static_cast<int>(state.range(0));
+  const Threads threads(static_cast<int>(state.range(0)));
   const auto bytes = static_cast<std::size_t>(state.range(1)) << 20;
   std::vector<char> from(bytes, 1), to(bytes, 2);
   for (auto _ : state) {

@@ -13,9 +13,8 @@ void relaxation(benchmark::State& state) {
   StressField field = bench::noisy_field(mesh, 0.05);
   EulerRelaxation euler(mesh, field, {0.01, 1.0, 0});
   constexpr std::int64_t steps = 10;
-  for (auto _ : state) {
-    euler.run(field, mesh, steps, static_cast<int>(state.range(1)));
-  }
+  const Threads threads(static_cast<int>(state.range(1)));
+  for (auto _ : state) euler.run(field, mesh, steps, threads);
   state.counters["triangle_updates"] =
       benchmark::Counter(static_cast<double>(state.iterations() * steps * mesh.face_count()),
                          benchmark::Counter::kIsRate);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "craze/base/error.h"
+#include "craze/base/threads.h"
 
 namespace craze {
 
@@ -18,10 +19,11 @@ struct Progress {
   double load = 0;  ///< load factor s, or simulated time
 };
 
-/// Passed by reference to every long call; copies share the callbacks.
+/// Passed by reference to every long call; copies share the callbacks and the threads. Both
+/// callbacks are called from the caller's thread only, never inside a parallel loop.
 struct Context {
-  int threads = 0;                                ///< 0: one per core
-  std::function<void(const Progress&)> progress;  ///< called from the caller's thread only
+  Threads threads;                                ///< default: one per core
+  std::function<void(const Progress&)> progress;  ///< what has been reached, from time to time
   std::function<bool()> cancelled;                ///< polled between events
 
   bool is_cancelled() const { return cancelled && cancelled(); }

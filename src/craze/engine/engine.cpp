@@ -3,7 +3,6 @@
 #include <chrono>
 
 #include "craze/base/error.h"
-#include "craze/base/parallel.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/engine/spacing_rounds.h"
 #include "craze/mesh/repair.h"
@@ -61,17 +60,16 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   Report report;
   report.recipe = recipe;
   if (options.max_cracks) report.recipe.simulation.evolution.max_cracks = *options.max_cracks;
-  report.threads = thread_count(context.threads);
+  report.threads = context.threads.count();
   report.input = count_mesh(*input.surface);
   context.report({"prepare", -1, 0, report.input.triangles});
   SurfaceMesh surface = repaired(input, report);
   input.surface.reset();
   report.time.load = seconds_since(start);
 
-  SpacedRun run =
-      options.max_cracks == 0
-          ? uncracked(std::move(surface), report.recipe, input.textures, context)
-          : run_to_spacing(std::move(surface), report.recipe, input.textures, context);
+  SpacedRun run = options.max_cracks == 0
+                      ? uncracked(std::move(surface), report.recipe, input.textures, context)
+                      : run_to_spacing(std::move(surface), report.recipe, input.textures, context);
   if (run.last.reason == StopReason::cancelled && options.on_cancel == OnCancel::discard) {
     throw Cancelled();
   }

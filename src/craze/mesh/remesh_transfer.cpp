@@ -19,7 +19,7 @@ struct Place {
 
 class Transfer {
  public:
-  Transfer(const RemeshSource& source, const EditMesh& mesh, int threads)
+  Transfer(const RemeshSource& source, const EditMesh& mesh, const Threads& threads)
       : source_(source), mesh_(mesh), threads_(threads) {
     made_.triangles = mesh.compact(kept_);
     for (std::int32_t v : kept_) made_.positions.push_back(mesh.position(v));
@@ -200,7 +200,7 @@ class Transfer {
 
   const RemeshSource& source_;
   const EditMesh& mesh_;
-  int threads_;
+  Threads threads_;
   SurfaceMesh made_;
   std::vector<std::int32_t> kept_;   // #V: the vertex in mesh_
   std::vector<std::int32_t> slots_;  // #F: the face in mesh_
@@ -213,7 +213,8 @@ class Transfer {
 
 }  // namespace
 
-SurfaceMesh transfer_attributes(const RemeshSource& source, const EditMesh& mesh, int threads) {
+SurfaceMesh transfer_attributes(const RemeshSource& source, const EditMesh& mesh,
+                                const Threads& threads) {
   return Transfer(source, mesh, threads).run();
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "craze/base/threads.h"
 #include "craze/mesh/closest_point.h"
 #include "craze/mesh/edit_mesh.h"
 #include "craze/mesh/surface_mesh.h"
@@ -17,6 +18,7 @@ struct RemeshSource {
 };
 
 /// The mesh's faces as a surface, with every attribute of the source.
-SurfaceMesh transfer_attributes(const RemeshSource& source, const EditMesh& mesh, int threads);
+SurfaceMesh transfer_attributes(const RemeshSource& source, const EditMesh& mesh,
+                                const Threads& threads);
 
 }  // namespace craze

@@ -47,7 +47,7 @@ void Equilibrium::release_memory() {
 }
 
 void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
-                          const std::vector<std::int32_t>& changed, int threads,
+                          const std::vector<std::int32_t>& changed, const Threads& threads,
                           std::vector<std::int32_t>& moved) {
   drift_.resize(mesh.vertex_count(), 0);
   allowed_.resize(mesh.vertex_count(), 0);
@@ -152,9 +152,8 @@ void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32
   }
 }
 
-void Equilibrium::solve(const LayerState& layer, bool takes_all, int threads) {
-  const std::size_t workers =
-      std::min(patch_count_, static_cast<std::size_t>(thread_count(threads)));
+void Equilibrium::solve(const LayerState& layer, bool takes_all, const Threads& threads) {
+  const std::size_t workers = std::min(patch_count_, static_cast<std::size_t>(threads.count()));
   if (marks_.size() < workers) marks_.resize(workers);
   // Patches differ in size: each worker takes the next one. Which does which changes nothing.
   std::atomic<std::size_t> next{0};
@@ -172,7 +171,7 @@ void Equilibrium::solve(const LayerState& layer, bool takes_all, int threads) {
   }
 }
 
-void Equilibrium::apply(StressField& field, const LayerState& layer, int threads) {
+void Equilibrium::apply(StressField& field, const LayerState& layer, const Threads& threads) {
   // Patches that share no node are applied at the same time, the others after each other.
   group_.resize(layer.mesh.vertex_count(), 0);
   std::vector<std::size_t> waiting(patch_count_), together, rest;

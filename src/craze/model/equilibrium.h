@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/base/threads.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/patch_solver.h"
 #include "craze/model/stress_field.h"
@@ -44,7 +45,7 @@ class Equilibrium {
   /// is not reached: the residual is then what rounding leaves. Changes far apart are solved apart,
   /// in parallel; the result does not depend on threads.
   void restore(StressField& field, const TriangleMesh& mesh,
-               const std::vector<std::int32_t>& changed, int threads,
+               const std::vector<std::int32_t>& changed, const Threads& threads,
                std::vector<std::int32_t>& moved);
 
   /// Gives back what restore() makes anew: the stiffness and the solvers' storage.
@@ -67,8 +68,8 @@ class Equilibrium {
   };
 
   void cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds);
-  void solve(const LayerState& layer, bool takes_all, int threads);
-  void apply(StressField& field, const LayerState& layer, int threads);
+  void solve(const LayerState& layer, bool takes_all, const Threads& threads);
+  void apply(StressField& field, const LayerState& layer, const Threads& threads);
   void apply(StressField& field, const LayerState& layer, Patch& patch);
   void review(const LayerState& layer, std::size_t patch);
 

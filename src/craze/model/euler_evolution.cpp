@@ -37,7 +37,7 @@ void EulerEvolution::mesh_changed(const TriangleMesh&, const CrackOutcome& outco
                         outcome.changed_nodes.end());
 }
 
-void EulerEvolution::evolve(StressField& field, const TriangleMesh& mesh, int threads,
+void EulerEvolution::evolve(StressField& field, const TriangleMesh& mesh, const Threads& threads,
                             std::vector<std::int32_t>& changed) {
   relaxation_.mesh_changed(mesh, field, changed_faces_, changed_nodes_);
   changed_faces_.clear();

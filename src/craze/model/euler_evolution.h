@@ -2,6 +2,7 @@
 // "quasistatic" without adhesion, the same flow in fewer steps.
 #pragma once
 
+#include "craze/base/threads.h"
 #include "craze/model/euler_relaxation.h"
 #include "craze/model/evolution.h"
 
@@ -15,7 +16,7 @@ class EulerEvolution : public Evolution {
 
   std::vector<char>& fixed() override { return relaxation_.fixed; }
   void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) override;
-  void evolve(StressField& field, const TriangleMesh& mesh, int threads,
+  void evolve(StressField& field, const TriangleMesh& mesh, const Threads& threads,
               std::vector<std::int32_t>& changed) override;
   double allow_drift(std::int32_t v, double force) override {
     return relaxation_.allow_drift(v, force);

@@ -82,7 +82,7 @@ void EulerRelaxation::drifted(std::vector<std::int32_t>& nodes) const {
 }
 
 void EulerRelaxation::run(StressField& field, const TriangleMesh& mesh, std::int64_t steps,
-                          int threads) {
+                          const Threads& threads) {
   resize(mesh);
   constexpr double none_left = 1e-6;
   for (auto remaining = static_cast<double>(steps); remaining > none_left;) {
@@ -135,7 +135,8 @@ double EulerRelaxation::next_steps(double remaining) {
   return count;
 }
 
-void EulerRelaxation::move_nodes(const StressField& field, double time_step, int threads) {
+void EulerRelaxation::move_nodes(const StressField& field, double time_step,
+                                 const Threads& threads) {
   const auto nodes = static_cast<std::int32_t>(moves_.size());
   const double rest = options_.rest_force * options_.rest_force;
   parallel_for(threads, block_force_.size(), blocks_per_chunk, [&](std::size_t b, std::size_t e) {
@@ -162,7 +163,8 @@ void EulerRelaxation::move_nodes(const StressField& field, double time_step, int
 }
 
 /// u += Δu, σ and F with it.
-void EulerRelaxation::apply_moves(StressField& field, const TriangleMesh& mesh, int threads) {
+void EulerRelaxation::apply_moves(StressField& field, const TriangleMesh& mesh,
+                                  const Threads& threads) {
   active_.find(blocks_, moving_);
   Element* const elements = field.elements().data();
   const Triangle* const triangles = mesh.triangles().data();

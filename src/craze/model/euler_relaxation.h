@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "craze/base/simd.h"
+#include "craze/base/threads.h"
 #include "craze/model/active_elements.h"
 #include "craze/model/relaxation_schedule.h"
 #include "craze/model/relaxation_steps.h"
@@ -43,7 +44,8 @@ class EulerRelaxation {
 
   /// Takes `steps` steps, or goes as far. Forces must be up to date, and are afterwards. The result
   /// does not depend on `threads`.
-  void run(StressField& field, const TriangleMesh& mesh, std::int64_t steps, int threads);
+  void run(StressField& field, const TriangleMesh& mesh, std::int64_t steps,
+           const Threads& threads);
 
   /// As Evolution::allow_drift; grants all.
   double allow_drift(std::int32_t v, double force);
@@ -59,8 +61,8 @@ class EulerRelaxation {
   void resize(const TriangleMesh& mesh);
   bool steps_are_stable() const { return options_.time_step * scheduled_stiffness_ <= 2; }
   double next_steps(double remaining);
-  void move_nodes(const StressField& field, double time_step, int threads);
-  void apply_moves(StressField& field, const TriangleMesh& mesh, int threads);
+  void move_nodes(const StressField& field, double time_step, const Threads& threads);
+  void apply_moves(StressField& field, const TriangleMesh& mesh, const Threads& threads);
 
   EulerRelaxationOptions options_;
   ElementBlocks blocks_;

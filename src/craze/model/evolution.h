@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "craze/base/threads.h"
 #include "craze/model/crack_insertion.h"
 #include "craze/model/parameters.h"
 #include "craze/model/stress_field.h"
@@ -25,7 +26,7 @@ class Evolution {
   virtual void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) = 0;
   /// Brings the field up to the next moment at which cracks are looked for. Appends the nodes whose
   /// separation tensor may have changed, in any order, with repeats.
-  virtual void evolve(StressField& field, const TriangleMesh& mesh, int threads,
+  virtual void evolve(StressField& field, const TriangleMesh& mesh, const Threads& threads,
                       std::vector<std::int32_t>& changed) = 0;
   /// Says that the forces on v may change by this much, in sum over its elements, before evolve()
   /// has to name it. Returns what will be granted, from now on: 0 where every change is named.

@@ -27,7 +27,8 @@ FailureWatch::FailureWatch(const SimulationParameters& parameters)
       lookahead_(parameters.material.lookahead),
       criterion_(parameters.material, process_zone(parameters.material, parameters.layer)) {}
 
-void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes, int threads) {
+void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes,
+                           const Threads& threads) {
   failing_.resize(scene.mesh.vertex_count());
   if (!scene.fields.healed.empty()) scars_.resize(scene.mesh.vertex_count());
   std::sort(nodes.begin(), nodes.end());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "craze/base/tensor.h"
+#include "craze/base/threads.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/crack_insertion.h"
 #include "craze/model/evolution.h"
@@ -51,7 +52,7 @@ class FailureWatch {
   explicit FailureWatch(const SimulationParameters& parameters);
 
   /// Evaluates these nodes, in any order and with repeats (they come back sorted).
-  void look_at(const Scene& scene, std::vector<std::int32_t>& nodes, int threads);
+  void look_at(const Scene& scene, std::vector<std::int32_t>& nodes, const Threads& threads);
 
   /// The node with the greatest measure, evaluated exactly; −1 where none can fail.
   std::int32_t next(const Scene& scene);

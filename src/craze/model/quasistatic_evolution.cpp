@@ -39,8 +39,8 @@ void QuasistaticEvolution::mesh_changed(const TriangleMesh&, const CrackOutcome&
   seeds_.insert(seeds_.end(), outcome.changed_nodes.begin(), outcome.changed_nodes.end());
 }
 
-void QuasistaticEvolution::evolve(StressField& field, const TriangleMesh& mesh, int threads,
-                                  std::vector<std::int32_t>& changed) {
+void QuasistaticEvolution::evolve(StressField& field, const TriangleMesh& mesh,
+                                  const Threads& threads, std::vector<std::int32_t>& changed) {
   // Forces are stored at load 1, where nodes fail at failure_force_ / load: as the load grows, what
   // was close enough to equilibrium has to be brought closer.
   if (load_ >= accurate_up_to_) {

@@ -1,6 +1,7 @@
 // engine = "quasistatic": equilibrium at every crack, load from event to event.
 #pragma once
 
+#include "craze/base/threads.h"
 #include "craze/model/equilibrium.h"
 #include "craze/model/evolution.h"
 
@@ -17,7 +18,7 @@ class QuasistaticEvolution : public Evolution {
 
   std::vector<char>& fixed() override { return equilibrium_.fixed; }
   void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) override;
-  void evolve(StressField& field, const TriangleMesh& mesh, int threads,
+  void evolve(StressField& field, const TriangleMesh& mesh, const Threads& threads,
               std::vector<std::int32_t>& changed) override;
   double allow_drift(std::int32_t v, double force) override {
     return equilibrium_.allow_drift(v, force);

@@ -51,7 +51,7 @@ CRAZE_WIDE bool step_nodes(const NodeArrays& nodes, std::int32_t begin, std::int
 }
 
 template <class Body>
-void for_node_blocks(int threads, std::size_t nodes, const Body& body) {
+void for_node_blocks(const Threads& threads, std::size_t nodes, const Body& body) {
   constexpr std::size_t size = ElementBlocks::nodes_per_block;
   parallel_for(threads, (nodes + size - 1) / size, blocks_per_chunk,
                [&](std::size_t first, std::size_t last) {
@@ -67,7 +67,7 @@ void for_node_blocks(int threads, std::size_t nodes, const Body& body) {
 std::int64_t RelaxationSteps::take(const RelaxationState& state,
                                    const std::vector<RelaxationStep>& steps,
                                    std::vector<Vec4d>& moves, std::vector<char>& moving,
-                                   int threads) {
+                                   const Threads& threads) {
   start(state, threads);
   std::int64_t updated = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -91,7 +91,7 @@ std::int64_t RelaxationSteps::take(const RelaxationState& state,
   return updated;
 }
 
-void RelaxationSteps::start(const RelaxationState& state, int threads) {
+void RelaxationSteps::start(const RelaxationState& state, const Threads& threads) {
   const std::size_t nodes = state.held.size();
   forces_.resize(nodes);
   steps_.resize(nodes);
@@ -115,7 +115,7 @@ void RelaxationSteps::start(const RelaxationState& state, int threads) {
 }
 
 void RelaxationSteps::move_nodes(const RelaxationState& state, const RelaxationStep& step,
-                                 bool first, int threads) {
+                                 bool first, const Threads& threads) {
   NodeArrays arrays{forces_.data(),   steps_.data(),    sums_.data(), {},
                     adhesion_.data(), state.held.data()};
   for (int lane = 0; lane < ActiveElements::lanes; ++lane) {
@@ -131,7 +131,7 @@ void RelaxationSteps::move_nodes(const RelaxationState& state, const RelaxationS
       });
 }
 
-void RelaxationSteps::change_forces(int faces, int threads) {
+void RelaxationSteps::change_forces(int faces, const Threads& threads) {
   constexpr std::int32_t packs_per_block = ElementBlocks::elements_per_block / ElementPack::size;
   const std::int32_t packs = (faces + ElementPack::size - 1) / ElementPack::size;
   parallel_for(threads, ActiveElements::lanes, 1, [&](std::size_t lane, std::size_t) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "craze/base/simd.h"
+#include "craze/base/threads.h"
 #include "craze/model/active_elements.h"
 #include "craze/model/element_packs.h"
 #include "craze/model/relaxation_schedule.h"
@@ -34,13 +35,13 @@ class RelaxationSteps {
   /// `moves` (#V) becomes Σ weight · Δp of the steps, `moving` (per node block) where it is not 0.
   /// Returns the number of element blocks updated.
   std::int64_t take(const RelaxationState& state, const std::vector<RelaxationStep>& steps,
-                    std::vector<Vec4d>& moves, std::vector<char>& moving, int threads);
+                    std::vector<Vec4d>& moves, std::vector<char>& moving, const Threads& threads);
 
  private:
-  void start(const RelaxationState& state, int threads);
+  void start(const RelaxationState& state, const Threads& threads);
   void move_nodes(const RelaxationState& state, const RelaxationStep& step, bool first,
-                  int threads);
-  void change_forces(int faces, int threads);
+                  const Threads& threads);
+  void change_forces(int faces, const Threads& threads);
 
   ElementPacks packs_;
   ActiveElements active_;

@@ -40,7 +40,7 @@ void TangentStiffness::assemble(const TriangleMesh& mesh, const StressField& fie
 }
 
 void TangentStiffness::update(const TriangleMesh& mesh, const StressField& field,
-                              const std::vector<std::int32_t>& nodes, int threads) {
+                              const std::vector<std::int32_t>& nodes, const Threads& threads) {
   rows_.resize(mesh.vertex_count());
   touched_.clear();
   for (const std::int32_t v : nodes) {

@@ -6,6 +6,7 @@
 
 #include "craze/base/simd.h"
 #include "craze/base/tensor.h"
+#include "craze/base/threads.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/stress_field.h"
 
@@ -48,7 +49,7 @@ class TangentStiffness {
   /// Assembles the rows of all corners of the faces around these nodes again. Nodes that are new
   /// must be among them.
   void update(const TriangleMesh& mesh, const StressField& field,
-              const std::vector<std::int32_t>& nodes, int threads);
+              const std::vector<std::int32_t>& nodes, const Threads& threads);
 
   Row row(std::int32_t v) const {
     const Extent& extent = rows_[v];

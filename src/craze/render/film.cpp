@@ -6,7 +6,7 @@
 
 namespace craze::render {
 
-void Film::smooth_light(int threads, float pixel_size) {
+void Film::smooth_light(const Threads& threads, float pixel_size) {
   smoothed_.resize(pixels_.size());
   for (std::size_t i = 0; i < pixels_.size(); ++i) smoothed_[i] = pixels_[i].light;
   // A filter with holes, growing: [Dammertz et al. 2010, "Edge-avoiding à-trous wavelet
@@ -14,7 +14,7 @@ void Film::smooth_light(int threads, float pixel_size) {
   for (const int step : {1, 2, 4}) smooth_once(threads, pixel_size, step);
 }
 
-void Film::smooth_once(int threads, float pixel_size, int step) {
+void Film::smooth_once(const Threads& threads, float pixel_size, int step) {
   const std::vector<Rgb> before = smoothed_;
   const float depth_range = 2.5f * pixel_size * static_cast<float>(step);
   parallel_for(

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "craze/base/threads.h"
 #include "craze/render/color.h"
 #include "craze/render/image.h"
 
@@ -31,11 +32,11 @@ class Film {
 
   /// Smooths the light over pixels of one surface. `pixel_size` is the width of a pixel at the
   /// object's distance, in render units.
-  void smooth_light(int threads, float pixel_size);
+  void smooth_light(const Threads& threads, float pixel_size);
   Image develop(float exposure) const;
 
  private:
-  void smooth_once(int threads, float pixel_size, int step);
+  void smooth_once(const Threads& threads, float pixel_size, int step);
 
   int width_, height_;
   std::vector<Pixel> pixels_;
