@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "craze/base/elementary.h"
+
 namespace craze {
 
 /// Mixes a 64-bit word so that every input bit reaches every output bit (splitmix64's finaliser).
@@ -43,7 +45,7 @@ class Random {
  private:
   static double to_unit(std::uint64_t x) { return static_cast<double>(x >> 11) * 0x1.0p-53; }
   static double box_muller(double u, double v) {
-    return std::sqrt(-2 * std::log(1 - u)) * std::cos(2 * std::numbers::pi * v);
+    return std::sqrt(-2 * elementary::log(1 - u)) * elementary::cos(2 * std::numbers::pi * v);
   }
 
   std::uint64_t key_;

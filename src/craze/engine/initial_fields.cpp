@@ -1,8 +1,8 @@
 #include "craze/engine/initial_fields.h"
 
-#include <cmath>
 #include <limits>
 
+#include "craze/base/elementary.h"
 #include "craze/base/error.h"
 #include "craze/base/random.h"
 #include "craze/mesh/feature_lines.h"
@@ -49,7 +49,8 @@ void scatter_strength(std::vector<double>& scale, const TriangleMesh& mesh,
   if (s == 0) return;
   const Random random(p.seed, scatter_stream);
   const std::vector<double> noise = face_noise(mesh, p.material.scatter_length, random, context);
-  for (std::size_t f = 0; f < scale.size(); ++f) scale[f] *= std::exp(s * noise[f] - 0.5 * s * s);
+  for (std::size_t f = 0; f < scale.size(); ++f)
+    scale[f] *= elementary::exp(s * noise[f] - 0.5 * s * s);
 }
 
 std::vector<double> toughness_scale(const TriangleMesh& mesh, const SimulationParameters& p,
@@ -134,8 +135,8 @@ std::vector<char> pinned_vertices(const SurfaceMesh& surface, const TriangleMesh
 }  // namespace
 
 SimulationFields initial_fields(const SimulationSurface& surface, const TriangleMesh& mesh,
-                                   const SimulationParameters& p, const Textures& textures,
-                                   const Context& context) {
+                                const SimulationParameters& p, const Textures& textures,
+                                const Context& context) {
   InputFields input = input_fields(surface.mesh);
   input.stress_texture = find_texture(textures, p.stress.texture, "stress.texture");
   input.material_texture = find_texture(textures, p.material.texture, "material.texture");

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "craze/base/elementary.h"
 #include "craze/mesh/components.h"
 #include "craze/model/screening.h"
 
@@ -63,14 +64,14 @@ class LengthSearch {
     if (ratio < 1 && (!below_ || length > below_->length)) below_ = now;
     if (ratio > 1 && (!above_ || length < above_->length)) above_ = now;
     if (below_ && above_ && below_->length < above_->length) {
-      return below_->length * std::pow(below_->ratio, -1 / slope(*below_, *above_));
+      return below_->length * elementary::pow(below_->ratio, -1 / slope(*below_, *above_));
     }
     double exponent = 1;
     if (last_ && last_->length != length) {
       exponent = std::clamp(slope(*last_, now), least_exponent, largest_exponent);
     }
     last_ = now;
-    return length * std::pow(ratio, -1 / exponent);
+    return length * elementary::pow(ratio, -1 / exponent);
   }
 
  private:
@@ -79,7 +80,7 @@ class LengthSearch {
   };
 
   static double slope(const Try& a, const Try& b) {
-    return std::log(b.ratio / a.ratio) / std::log(b.length / a.length);
+    return elementary::log(b.ratio / a.ratio) / elementary::log(b.length / a.length);
   }
 
   std::optional<Try> below_, above_, last_;
@@ -120,7 +121,7 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
     const TriangleMesh& mesh = run.last.simulation->mesh();
     const double ratio = mean_spacing(mesh, find_components(mesh).count) / spacing;
     const double length = run.recipe.simulation.layer.screening_length;
-    const double error = is_cut_short(reason) ? best_error : std::abs(std::log(ratio));
+    const double error = is_cut_short(reason) ? best_error : std::abs(elementary::log(ratio));
     if (error < best_error) {
       best_error = error;
       if (best) add_times(run, *best);

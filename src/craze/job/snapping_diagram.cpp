@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "craze/base/elementary.h"
 #include "craze/model/crack_insertion.h"
 
 namespace craze {
@@ -22,11 +22,11 @@ TriangleMesh star() {
   std::vector<Vec3> points{Vec3::Zero()};
   for (int i = 0; i < 6; ++i) {
     const double angle = (i == 3 ? 160 : 60 * i) * degree;
-    points.emplace_back(std::cos(angle), std::sin(angle), 0);
+    points.emplace_back(elementary::cos(angle), elementary::sin(angle), 0);
   }
   for (int i = 0; i < 12; ++i) {
     const double angle = 30 * i * degree, radius = i % 2 ? 1.75 : 1.95;
-    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    points.emplace_back(radius * elementary::cos(angle), radius * elementary::sin(angle), 0);
   }
   std::vector<Triangle> triangles;
   for (std::int32_t i = 0; i < 6; ++i) {
@@ -48,7 +48,7 @@ struct Panel {
 
   /// Opens the plane that runs at `angle`, degrees, through v.
   void fail(std::int32_t v, double angle) {
-    const Vec3 normal(-std::sin(angle * degree), std::cos(angle * degree), 0);
+    const Vec3 normal(-elementary::sin(angle * degree), elementary::cos(angle * degree), 0);
     CrackOutcome outcome;
     open_crack(mesh, field, v, normal, {snap_angle * degree, back_angle * degree}, labels, outcome);
     labels += static_cast<std::int32_t>(outcome.segments.size());
@@ -74,19 +74,22 @@ class Drawing {
   }
 
   void plane(double angle) {
-    const Vec2 d(std::cos(angle * degree), std::sin(angle * degree));
+    const Vec2 d(elementary::cos(angle * degree), elementary::sin(angle * degree));
     path("plane", segment(-1.7 * d, 1.7 * d));
   }
 
   /// The angle between the plane and an edge, from `low` to `high` degrees, with its name.
   void angle(double low, double high, const char* name) {
     constexpr double radius = 1.3;
-    const Vec2 a = canvas(radius * Vec2(std::cos(low * degree), std::sin(low * degree)));
-    const Vec2 b = canvas(radius * Vec2(std::cos(high * degree), std::sin(high * degree)));
+    const Vec2 a =
+        canvas(radius * Vec2(elementary::cos(low * degree), elementary::sin(low * degree)));
+    const Vec2 b =
+        canvas(radius * Vec2(elementary::cos(high * degree), elementary::sin(high * degree)));
     path("angle", fmt::format("M{:.2f} {:.2f}A{:.2f} {:.2f} 0 0 0 {:.2f} {:.2f}", a.x(), a.y(),
                               radius * scale, radius * scale, b.x(), b.y()));
     const double middle = (low + high) / 2 * degree;
-    label(canvas(1.5 * Vec2(std::cos(middle), std::sin(middle))) + Vec2(0, 4), "name", name);
+    label(canvas(1.5 * Vec2(elementary::cos(middle), elementary::sin(middle))) + Vec2(0, 4), "name",
+          name);
   }
 
   void node() {
@@ -125,7 +128,7 @@ class Drawing {
     m.for_each_outgoing(v, [&](std::int32_t h) {
       const Vec3 b = m.position(m.to(h)) - m.position(v);
       const Vec3 c = m.position(m.from(TriangleMesh::prev(h))) - m.position(v);
-      const double angle = std::atan2(b.cross(c).norm(), b.dot(c));
+      const double angle = elementary::atan2(b.cross(c).norm(), b.dot(c));
       inward += angle * (b.normalized() + c.normalized());
       angles += angle;
       cut = cut || m.crack_of(h) >= 0 || m.crack_of(TriangleMesh::prev(h)) >= 0;

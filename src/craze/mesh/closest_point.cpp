@@ -82,7 +82,11 @@ void ClosestPoint::build() {
     }
     nodes_[n].low = low;
     nodes_[n].high = high;
-    if (count <= leaf_size) continue;
+    if (count <= leaf_size) {
+      // In one order, whatever nth_element left: of equally near faces the first is found.
+      std::sort(order_.begin() + first, order_.begin() + first + count);
+      continue;
+    }
     int axis = 0;
     (center_high - center_low).maxCoeff(&axis);
     const std::int32_t half = count / 2;

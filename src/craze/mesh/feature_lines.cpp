@@ -1,9 +1,10 @@
 #include "craze/mesh/feature_lines.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
+
+#include "craze/base/elementary.h"
 
 namespace craze {
 
@@ -60,7 +61,7 @@ class UvSeams {
 
 std::vector<char> feature_lines(const SurfaceMesh& surface, const TriangleMesh& mesh,
                                 double angle) {
-  const double cosine = std::cos(angle * std::numbers::pi / 180);
+  const double cosine = elementary::cos(angle * std::numbers::pi / 180);
   std::vector<Vec3> normals;
   normals.reserve(mesh.face_count());
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) normals.push_back(unit_normal(mesh, f));

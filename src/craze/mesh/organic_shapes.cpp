@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "craze/base/elementary.h"
 #include "craze/mesh/revolve.h"
 #include "craze/mesh/round_shapes.h"
 
@@ -46,8 +48,8 @@ SurfaceMesh make_bumps(double radius, int frequency) {
     double scale = 1;
     for (const Bump& b : bumps) {
       const Vec3 c = b.direction.normalized();
-      const double angle = std::atan2(c.cross(p).norm(), c.dot(p)) / b.width;
-      scale += b.height * std::exp(-angle * angle);
+      const double angle = elementary::atan2(c.cross(p).norm(), c.dot(p)) / b.width;
+      scale += b.height * elementary::exp(-angle * angle);
     }
     return scale * p;
   });
@@ -61,12 +63,13 @@ SurfaceMesh make_drape(double radius, double height, double edge) {
   const ProfileStretch base{{0, 0}, {radius, 0}};
   const ProfileStretch side =
       bezier({radius, 0}, {0.8 * radius, 0.35 * height}, {top, 0.6 * height}, {top, shoulder});
-  const double quarter = std::acos(0.0);
+  constexpr double quarter = std::numbers::pi / 2;
   SurfaceMesh mesh = revolve({base, side, arc({0, shoulder}, top, 0, quarter)}, edge);
   deform(mesh, 1e-5 * radius, [&](const Vec3& p) -> Vec3 {
     const double down = std::clamp(1 - p.z() / shoulder, 0.0, 1.0);
-    const double angle = std::atan2(p.y(), p.x());
-    const double fold = std::cos(folds * angle + 1.3 * std::sin(2 * angle) + 0.8 * down);
+    const double angle = elementary::atan2(p.y(), p.x());
+    const double fold =
+        elementary::cos(folds * angle + 1.3 * elementary::sin(2 * angle) + 0.8 * down);
     const double scale = 1 + deepest * down * down * (3 - 2 * down) * fold;
     return {scale * p.x(), scale * p.y(), p.z()};
   });

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "craze/base/elementary.h"
+
 namespace craze {
 
 namespace {
@@ -81,9 +83,9 @@ void place_vertices(std::vector<Ring>& rings, double edge, bool loop, SurfaceMes
     ring.phase = i % 2 && !on_axis ? pi / ring.count : 0;
     for (int k = 0; k < ring.count; ++k) {
       const double a = ring.angle(k);
-      mesh.positions.push_back(
-          on_axis ? Vec3(0, 0, ring.z)
-                  : Vec3(ring.radius * std::cos(a), ring.radius * std::sin(a), ring.z));
+      mesh.positions.push_back(on_axis ? Vec3(0, 0, ring.z)
+                                       : Vec3(ring.radius * elementary::cos(a),
+                                              ring.radius * elementary::sin(a), ring.z));
     }
   }
 }
@@ -107,9 +109,9 @@ void add_triangle(SurfaceMesh& mesh, const std::array<StripCorner, 3>& corners, 
     }
     const Vec2& n = x.lower ? x.ring->normal_after : x.ring->normal_before;
     mesh.corner_uvs.emplace_back(angle * u_scale, x.ring->v);
-    mesh.corner_normals.push_back(
-        x.ring->count == 1 ? Vec3(0, 0, n.y() < 0 ? -1 : 1)
-                           : Vec3(n.x() * std::cos(angle), n.x() * std::sin(angle), n.y()));
+    mesh.corner_normals.push_back(x.ring->count == 1 ? Vec3(0, 0, n.y() < 0 ? -1 : 1)
+                                                     : Vec3(n.x() * elementary::cos(angle),
+                                                            n.x() * elementary::sin(angle), n.y()));
   }
   mesh.triangles.push_back(t);
 }
@@ -138,7 +140,7 @@ ProfileStretch arc(const Vec2& center, double radius, double from_angle, double 
   ProfileStretch s;
   for (int i = 0; i <= curve_points; ++i) {
     const double a = from_angle + (to_angle - from_angle) * i / curve_points;
-    s.emplace_back(center + radius * Vec2(std::cos(a), std::sin(a)));
+    s.emplace_back(center + radius * Vec2(elementary::cos(a), elementary::sin(a)));
   }
   return s;
 }

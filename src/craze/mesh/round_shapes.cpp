@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "craze/base/elementary.h"
 #include "craze/mesh/revolve.h"
 
 namespace craze {
@@ -22,8 +23,8 @@ std::array<Vec3, 12> icosahedron_corners() {
   const double z = 1 / std::sqrt(5.0), r = 2 * z;
   for (int i = 0; i < 5; ++i) {
     const double a = 2 * pi * i / 5, b = a + pi / 5;
-    p[1 + i] = {r * std::cos(a), r * std::sin(a), z};
-    p[6 + i] = {r * std::cos(b), r * std::sin(b), -z};
+    p[1 + i] = {r * elementary::cos(a), r * elementary::sin(a), z};
+    p[6 + i] = {r * elementary::cos(b), r * elementary::sin(b), -z};
   }
   return p;
 }
@@ -42,9 +43,10 @@ std::vector<Triangle> icosahedron_sides() {
 
 // Rotates the shortest way from a to b, both unit.
 Vec3 along_great_circle(const Vec3& a, const Vec3& b, double t) {
-  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+  const double angle = elementary::atan2(a.cross(b).norm(), a.dot(b));
   if (angle < 1e-12) return a;
-  return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
+  return (elementary::sin((1 - t) * angle) * a + elementary::sin(t * angle) * b) /
+         elementary::sin(angle);
 }
 
 // The point of a spherical triangle with barycentric coordinates (i, j, k)/n. The three ways of
@@ -70,8 +72,8 @@ void add_sphere_uvs(SurfaceMesh& mesh, const Triangle& t, double u_scale) {
   double largest = -1;
   for (int c = 0; c < 3; ++c) {
     const Vec3& n = mesh.positions[t[c]];
-    pole[c] = std::hypot(n.x(), n.y()) < 1e-9;
-    u[c] = std::atan2(n.y(), n.x()) / (2 * pi);
+    pole[c] = elementary::hypot(n.x(), n.y()) < 1e-9;
+    u[c] = elementary::atan2(n.y(), n.x()) / (2 * pi);
     if (u[c] < -1e-9) u[c] += 1;
     u[c] = std::max(u[c], 0.0);
     if (!pole[c]) largest = std::max(largest, u[c]);
@@ -82,7 +84,7 @@ void add_sphere_uvs(SurfaceMesh& mesh, const Triangle& t, double u_scale) {
   for (int c = 0; c < 3; ++c) {
     if (pole[c]) u[c] = 0.5 * (u[(c + 1) % 3] + u[(c + 2) % 3]);
     const double z = mesh.positions[t[c]].z();
-    const double latitude = std::asin(std::min(std::max(z, -1.0), 1.0));
+    const double latitude = elementary::asin(std::min(std::max(z, -1.0), 1.0));
     mesh.corner_uvs.emplace_back(u[c] * u_scale, latitude / pi + 0.5);
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "craze/base/elementary.h"
+
 namespace craze {
 
 Mat2 basis_matrix(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
@@ -30,7 +32,7 @@ Mat2 gram(const Mat2& beta) {
 SingularValues singular_values(const Mat2& beta) {
   const Mat2 c = gram(beta);
   const double mean = 0.5 * (c(0, 0) + c(1, 1));
-  const double radius = std::hypot(0.5 * (c(0, 0) - c(1, 1)), c(0, 1));
+  const double radius = elementary::hypot(0.5 * (c(0, 0) - c(1, 1)), c(0, 1));
   const double largest = std::sqrt(mean + radius);
   // det GᵀG = 3 (det β)², which keeps the digits that mean − radius would lose.
   const double product = std::sqrt(3.0) * std::abs(beta.determinant());
@@ -43,8 +45,8 @@ Mat2 cap_singular_values(const Mat2& beta, double cap) {
   // G = U Σ Vᵀ. V's first column v is the eigenvector of GᵀG for the largest value; scaling β
   // along v (and, if need be, across it) replaces Σ without ever forming U.
   const Mat2 c = gram(beta);
-  const double angle = 0.5 * std::atan2(2 * c(0, 1), c(0, 0) - c(1, 1));
-  const Vec2 v(std::cos(angle), std::sin(angle)), w(-v.y(), v.x());
+  const double angle = 0.5 * elementary::atan2(2 * c(0, 1), c(0, 0) - c(1, 1));
+  const Vec2 v(elementary::cos(angle), elementary::sin(angle)), w(-v.y(), v.x());
   const double along = cap / s.largest;
   const double across = s.smallest > cap ? cap / s.smallest : 1;
   return beta * (along * v * v.transpose() + across * w * w.transpose());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "craze/base/elementary.h"
 #include "craze/model/vertex_slide.h"
 
 namespace craze {
@@ -15,7 +16,7 @@ void sort_unique(std::vector<std::int32_t>& indices) {
 }
 
 double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return elementary::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 // Where a near vertex cannot slide, a crack closer to its edge than this follows the edge, radians.

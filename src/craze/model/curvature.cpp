@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/elementary.h"
 #include "craze/base/parallel.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/normal_cycle.h"
@@ -106,9 +107,9 @@ std::vector<PrincipalCurvature> vertex_curvature(const TriangleMesh& mesh, doubl
 
 PrincipalCurvature principal_curvature(const Sym2& tensor, const Mat32& frame) {
   const double mean = 0.5 * tensor.trace(), half = 0.5 * (tensor.xx - tensor.yy);
-  const double spread = std::hypot(half, tensor.xy);
-  const double angle = 0.5 * std::atan2(tensor.xy, half);
-  const double c = std::cos(angle), s = std::sin(angle);
+  const double spread = elementary::hypot(half, tensor.xy);
+  const double angle = 0.5 * elementary::atan2(tensor.xy, half);
+  const double c = elementary::cos(angle), s = elementary::sin(angle);
   return {mean + spread, mean - spread, c * frame.col(0) + s * frame.col(1),
           -s * frame.col(0) + c * frame.col(1)};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/elementary.h"
 #include "craze/base/random.h"
 
 namespace craze {
@@ -46,8 +47,9 @@ Mat3 HealedCracks::weakness(const Vec3& position) const {
           const double along = d.dot(p.along);
           const double across = (d.squaredNorm() - along * along) * scale * scale;
           if (across > reach * reach / 2) continue;
-          const double g = std::exp(-across) / 2 *
-                           (std::erf(scale * along) - std::erf(scale * (along - p.length)));
+          const double g =
+              elementary::exp(-across) / 2 *
+              (elementary::erf(scale * along) - elementary::erf(scale * (along - p.length)));
           sum += (1 - root_) * g * p.normal * p.normal.transpose();
         }
       }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/elementary.h"
+
 namespace craze {
 
 namespace {
@@ -39,7 +41,7 @@ double weight_along(const Side& s, double radius2) {
 double weight_swept(const Side& s, double d, double m2) {
   const double d2 = d * d, full = m2 * m2 * m2 / 6;
   const auto turn = [&](double t0, double t1) {
-    return t1 > t0 && d != 0 ? full * std::atan2(d * (t1 - t0), d2 + t0 * t1) : 0.0;
+    return t1 > t0 && d != 0 ? full * elementary::atan2(d * (t1 - t0), d2 + t0 * t1) : 0.0;
   };
   if (d2 >= m2) return turn(s.begin, s.end);
   const double k = std::sqrt(m2 - d2), low = std::max(s.begin, -k), high = std::min(s.end, k);
@@ -72,7 +74,7 @@ NormalCycle::NormalCycle(const TriangleMesh& mesh) : mesh_(mesh) {
     const Vec3& n = normals_[TriangleMesh::face_of(h)];
     const Vec3& o = normals_[TriangleMesh::face_of(mesh.opposite(h))];
     if (n.isZero() || o.isZero()) continue;
-    e.half_angle = 0.5 * std::atan2(n.cross(o).dot(e.unit), n.dot(o));
+    e.half_angle = 0.5 * elementary::atan2(n.cross(o).dot(e.unit), n.dot(o));
   }
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "craze/base/elementary.h"
+
 namespace craze {
 
 namespace {
@@ -17,13 +19,13 @@ std::vector<double> chebyshev_coefficients(int degree, const Function& p) {
   const int points = 2 * (degree + 1);
   std::vector<double> values(points);
   for (int j = 0; j < points; ++j) {
-    values[j] = p(std::cos(std::numbers::pi * (j + 0.5) / points));
+    values[j] = p(elementary::cos(std::numbers::pi * (j + 0.5) / points));
   }
   std::vector<double> c(degree + 1);
   for (int k = 0; k <= degree; ++k) {
     double sum = 0;
     for (int j = 0; j < points; ++j) {
-      sum += values[j] * std::cos(std::numbers::pi * k * (j + 0.5) / points);
+      sum += values[j] * elementary::cos(std::numbers::pi * k * (j + 0.5) / points);
     }
     c[k] = std::max(0.0, (k == 0 ? 1.0 : 2.0) / points * sum);
   }
@@ -66,7 +68,7 @@ std::vector<RelaxationStep> accelerated_steps(double count, double time_step, do
   const double variance = count * a;
   const int degree = static_cast<int>(std::ceil(5 * std::sqrt(variance))) + 8;
   std::vector<double> c = chebyshev_coefficients(degree, [&](double x) {
-    return a <= 1 ? std::pow(1 - a * (1 - x), count) : std::exp(-variance * (1 - x));
+    return a <= 1 ? elementary::pow(1 - a * (1 - x), count) : elementary::exp(-variance * (1 - x));
   });
   truncate(c, variance);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/elementary.h"
+
 namespace craze {
 
 double bounding_diagonal(const std::vector<Vec3>& positions) {
@@ -21,7 +23,8 @@ double spacing_per_screening_length(const SimulationParameters& p) {
   // Measured, on plates of a hundred cells.
   constexpr double cell_per_strip = 0.66, scatter_effect = 0.5, healing_effect = 0.6;
   const double load = std::max(p.evolution.max_load, least_load);
-  const double strip = 2 * std::acosh(1 / (1 - 1 / load));
+  // 2 arcosh(1 / (1 − 1/load))
+  const double strip = 2 * elementary::log((load + std::sqrt(2 * load - 1)) / (load - 1));
   const double scattered = 1 - scatter_effect * p.material.scatter;
   const double healed = p.evolution.cycles > 1 ? 1 + healing_effect * (1 - p.evolution.healing) : 1;
   return cell_per_strip * scattered * healed * strip;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "craze/base/elementary.h"
 #include "craze/base/random.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/correlated_noise.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr std::uint64_t stress_noise_stream = 1;
 
 double decay(double r, double radius, double falloff) {
-  return r <= radius ? 1 : std::pow(radius / r, falloff);
+  return r <= radius ? 1 : elementary::pow(radius / r, falloff);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <limits>
 #include <numbers>
 
+#include "craze/base/elementary.h"
+
 namespace craze::render {
 
 namespace {
@@ -66,12 +68,12 @@ Camera frame(const std::vector<Vec3>& points, const View& view, double aspect) {
   camera.elevation = view.elevation.value_or(axes.flat ? 55 : 18);
   camera.vertical = axes.up;
   const Vec3 back = axes.up.cross(axes.right);  // away from the viewer at azimuth 0
-  const Vec3 level = std::sin(azimuth) * axes.right - std::cos(azimuth) * back;
+  const Vec3 level = elementary::sin(azimuth) * axes.right - elementary::cos(azimuth) * back;
   const double e = camera.elevation * degree;
-  camera.forward = -(std::cos(e) * level + std::sin(e) * axes.up);
-  camera.right = std::cos(azimuth) * axes.right + std::sin(azimuth) * back;
+  camera.forward = -(elementary::cos(e) * level + elementary::sin(e) * axes.up);
+  camera.right = elementary::cos(azimuth) * axes.right + elementary::sin(azimuth) * back;
   camera.up = camera.right.cross(camera.forward);
-  camera.tan_y = std::tan(view.field_of_view * degree / 2);
+  camera.tan_y = elementary::tan(view.field_of_view * degree / 2);
   camera.tan_x = camera.tan_y * aspect;
 
   const double tx = camera.tan_x * (1 - 2 * view.margin), ty = camera.tan_y * (1 - 2 * view.margin);

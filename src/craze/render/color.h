@@ -3,7 +3,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
+
+#include "craze/base/elementary.h"
 
 namespace craze::render {
 
@@ -11,11 +12,13 @@ using Vec3f = Eigen::Vector3f;
 using Rgb = Eigen::Array3f;  ///< linear, Rec. 709 primaries
 
 inline float srgb_to_linear(float c) {
-  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+  if (c <= 0.04045f) return c / 12.92f;
+  return static_cast<float>(elementary::pow((c + 0.055f) / 1.055f, 2.4));
 }
 
 inline float linear_to_srgb(float c) {
-  return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
+  if (c <= 0.0031308f) return 12.92f * c;
+  return static_cast<float>(1.055 * elementary::exp(elementary::log(c) / 2.4) - 0.055);
 }
 
 /// The linear colour of an 8-bit sRGB triple.
@@ -30,7 +33,10 @@ inline float luminance(const Rgb& c) {
 /// A gentle film curve: straight up to `knee`, then bending towards white.
 inline float tone_curve(float x) {
   constexpr float knee = 0.55f, room = 1 - knee;
-  return x <= knee ? std::max(x, 0.0f) : knee + room * std::tanh((x - knee) / room);
+  if (x <= knee) return std::max(x, 0.0f);
+  // knee + room tanh((x − knee) / room)
+  const double e = elementary::exp(2.0 * (x - knee) / room);
+  return knee + room * static_cast<float>(1 - 2 / (e + 1));
 }
 
 inline float smoothstep(float low, float high, float x) {

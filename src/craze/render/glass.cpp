@@ -2,11 +2,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/elementary.h"
 #include "craze/render/noise.h"
 #include "craze/render/rays.h"
 #include "craze/render/tracer.h"
 
 namespace craze::render {
+
+namespace {
+
+/// What a layer of the colour, `thickness` times as thick, lets through.
+Rgb filtered(const Rgb& color, double thickness) {
+  return color.unaryExpr(
+      [&](float c) { return static_cast<float>(elementary::exp(thickness * elementary::log(c))); });
+}
+
+}  // namespace
 
 float Tracer::fissure(const Surface& s, const Vec3f& inside, const LineSample& line,
                       Vec3f& facet) const {
@@ -41,7 +52,7 @@ Rgb Tracer::through_glass(const Ray& first_ray, const Hit& first_hit, float foot
     const float mirror = fresnel(cosine);
     const float depth = layer == 0 ? 1.0f : 0.6f;
     seen += depth * mirror * clear * studio_.reflection(reflected(s));
-    clear *= (1 - mirror) * material_.color.pow(0.6f / std::sqrt(cosine));
+    clear *= (1 - mirror) * filtered(material_.color, 0.6f / std::sqrt(cosine));
 
     // Bend towards the inside of each layer.
     const Vec3f bent = (s.view - 0.3f * (1 - cosine) * s.normal).normalized();

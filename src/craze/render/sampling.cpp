@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "craze/base/elementary.h"
 #include "craze/base/random.h"
 
 namespace craze::render {
@@ -61,7 +62,7 @@ SampleTable::SampleTable(int count, std::uint64_t seed)
       const Point2f u = sobol_point(i, key), v = sobol_point(i, key ^ 0x5bd1e995u);
       lens_.push_back({tent(u.x), tent(u.y)});
       const float r = std::sqrt(v.x), phi = 2 * std::numbers::pi_v<float> * v.y;
-      disc_.push_back({r * std::cos(phi), r * std::sin(phi)});
+      disc_.push_back({r * elementary::cos(phi), r * elementary::sin(phi)});
     }
   }
 }

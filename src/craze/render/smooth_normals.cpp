@@ -1,10 +1,11 @@
 #include "craze/render/smooth_normals.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <tuple>
+
+#include "craze/base/elementary.h"
 
 namespace craze::render {
 
@@ -80,7 +81,7 @@ std::vector<Vec3f> smooth_normals(const SurfaceMesh& mesh, double crease) {
 
   Joined joined(corners);
   const CornersByPlace places(mesh);
-  const double limit = std::cos(crease * std::numbers::pi / 180);
+  const double limit = elementary::cos(crease * std::numbers::pi / 180);
   for (std::size_t g = 0; g + 1 < places.first.size(); ++g) {
     for (std::int32_t i = places.first[g]; i < places.first[g + 1]; ++i) {
       for (std::int32_t j = i + 1; j < places.first[g + 1]; ++j) {
@@ -95,7 +96,7 @@ std::vector<Vec3f> smooth_normals(const SurfaceMesh& mesh, double crease) {
     const std::size_t i = c % 3;
     const Vec3 &p = mesh.positions[t[i]], &q = mesh.positions[t[(i + 1) % 3]],
                &r = mesh.positions[t[(i + 2) % 3]];
-    const double angle = std::atan2((q - p).cross(r - p).norm(), (q - p).dot(r - p));
+    const double angle = elementary::atan2((q - p).cross(r - p).norm(), (q - p).dot(r - p));
     sum[joined.root(static_cast<std::int32_t>(c))] += angle * face_normal[c / 3];
   }
   std::vector<Vec3f> normals(corners);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "craze/base/elementary.h"
+
 namespace craze::render {
 
 namespace {
@@ -35,14 +37,15 @@ void Studio::place_lamp(const Camera& camera, const Vec3& back, const LampPlace&
   constexpr double degree = std::numbers::pi / 180;
   const Vec3 usual = lamp_.cast<double>();
   const double azimuth =
-      lamp.azimuth.value_or(std::atan2(usual.dot(camera.right), -usual.dot(back)) / degree) *
+      lamp.azimuth.value_or(elementary::atan2(usual.dot(camera.right), -usual.dot(back)) / degree) *
       degree;
   const double elevation =
-      lamp.elevation.value_or(std::asin(usual.dot(camera.vertical)) / degree) * degree;
-  const Vec3 level = std::sin(azimuth) * camera.right - std::cos(azimuth) * back;
-  lamp_ = direction(std::cos(elevation) * level + std::sin(elevation) * camera.vertical);
+      lamp.elevation.value_or(elementary::asin(usual.dot(camera.vertical)) / degree) * degree;
+  const Vec3 level = elementary::sin(azimuth) * camera.right - elementary::cos(azimuth) * back;
+  lamp_ =
+      direction(elementary::cos(elevation) * level + elementary::sin(elevation) * camera.vertical);
   // The window that shines in reflections is on the same side.
-  window_ = direction(level + std::sin(elevation) * camera.vertical);
+  window_ = direction(level + elementary::sin(elevation) * camera.vertical);
 }
 
 Rgb Studio::sky(const Vec3f& d) const {

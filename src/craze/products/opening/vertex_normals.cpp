@@ -1,6 +1,6 @@
 #include "craze/products/opening/vertex_normals.h"
 
-#include <cmath>
+#include "craze/base/elementary.h"
 
 namespace craze {
 
@@ -15,7 +15,7 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh, const CrackSites& sit
     const Vec3 b = mesh.position(mesh.from(TriangleMesh::prev(h))) - mesh.position(v);
     const Vec3 normal = a.cross(b);
     const double length = normal.norm();
-    if (length > 0) sum[owner(v)] += std::atan2(length, a.dot(b)) / length * normal;
+    if (length > 0) sum[owner(v)] += elementary::atan2(length, a.dot(b)) / length * normal;
   }
   std::vector<Vec3> normals(sum.size());
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {

@@ -1,9 +1,9 @@
 #include "craze/products/statistics/graph/crack_graph.h"
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 
+#include "craze/base/elementary.h"
 #include "craze/products/statistics/graph/plane_frame.h"
 
 namespace craze {
@@ -27,7 +27,7 @@ std::vector<std::vector<Link>> ordered_links(const CrackGraphInput& input) {
     const Mat32 frame = plane_frame(input.normals[p]);
     for (Link& l : links[p]) {
       const Vec2 d = frame.transpose() * (input.points[l.other] - input.points[p]);
-      l.angle = std::atan2(d.y(), d.x());
+      l.angle = elementary::atan2(d.y(), d.x());
     }
     std::stable_sort(links[p].begin(), links[p].end(),
                      [](const Link& l, const Link& m) { return l.angle < m.angle; });

@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "craze/base/elementary.h"
 #include "craze/products/statistics/graph/plane_frame.h"
 
 namespace craze {
@@ -23,7 +24,7 @@ struct Line {
 Line chord(const Vec3& d, const Vec3& normal, const Vec3& axis) {
   if ((axis - normal * normal.dot(axis)).norm() < 0.1 * axis.norm()) return {};
   const Vec2 v = plane_frame(normal, axis).transpose() * d;
-  const double length = v.norm(), angle = std::atan2(v.y(), v.x());
+  const double length = v.norm(), angle = elementary::atan2(v.y(), v.x());
   const double turns = angle / pi;  // a direction repeats every half turn
   const int bin = std::min(17, static_cast<int>(18 * (turns - std::floor(turns))));
   return {length, angle, std::polar(length, 2 * angle), bin};
@@ -52,9 +53,9 @@ double entropy(const std::vector<Line>& lines, const std::vector<double>& weight
   const double sum = total(lines, weights);
   double h = 0;
   for (const double b : bins) {
-    if (b > 0) h -= b / sum * std::log(b / sum);
+    if (b > 0) h -= b / sum * elementary::log(b / sum);
   }
-  return h / std::log(18.0);
+  return h / elementary::log(18.0);
 }
 
 }  // namespace

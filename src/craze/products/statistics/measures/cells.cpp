@@ -4,13 +4,15 @@
 #include <map>
 #include <numbers>
 
+#include "craze/base/elementary.h"
+
 namespace craze {
 namespace {
 
 /// Signed angle from a to b around the normal.
 double turn(const Vec3& a, const Vec3& b, const Vec3& normal) {
   const Vec3 u = a - normal * normal.dot(a), v = b - normal * normal.dot(b);
-  return std::atan2(normal.dot(u.cross(v)), u.dot(v));
+  return elementary::atan2(normal.dot(u.cross(v)), u.dot(v));
 }
 
 /// Turning of a polyline at its inner points, left positive.

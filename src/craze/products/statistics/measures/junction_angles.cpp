@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "craze/base/elementary.h"
 #include "craze/products/statistics/graph/plane_frame.h"
 
 namespace craze {
@@ -68,8 +69,8 @@ double branch_direction(const std::vector<Vec3>& points, const Vec3& normal, con
   if (m.length == 0) return 0;
   const Vec2 mean = m.first / m.length;
   const Mat2 c = m.second / m.length - mean * mean.transpose();
-  const double axis = std::atan2(2 * c(0, 1), c(0, 0) - c(1, 1)) / 2;
-  const bool outward = mean.x() * std::cos(axis) + mean.y() * std::sin(axis) >= 0;
+  const double axis = elementary::atan2(2 * c(0, 1), c(0, 0) - c(1, 1)) / 2;
+  const bool outward = mean.x() * elementary::cos(axis) + mean.y() * elementary::sin(axis) >= 0;
   return outward ? axis : axis + pi;
 }
 

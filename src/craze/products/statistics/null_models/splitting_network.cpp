@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <queue>
 #include <utility>
 #include <vector>
 
+#include "craze/base/elementary.h"
 #include "craze/base/random.h"
 #include "craze/products/statistics/graph/clipped_network.h"
 #include "craze/products/statistics/null_models/null_networks.h"
@@ -141,7 +141,7 @@ CrackNetwork stit_network(double side, std::int32_t cells, std::uint64_t seed) {
     for (std::size_t k = 0; k < cell.size(); ++k) {
       perimeter += (cell[(k + 1) % cell.size()].p - cell[k].p).norm();
     }
-    by_time.emplace(now - std::log(1 - random.uniform()) / perimeter, i);
+    by_time.emplace(now - elementary::log(1 - random.uniform()) / perimeter, i);
   };
   push(0, 0);
   while (static_cast<std::int32_t>(splitter.cells.size()) < cells) {
@@ -156,7 +156,7 @@ CrackNetwork stit_network(double side, std::int32_t cells, std::uint64_t seed) {
     }
     for (;;) {
       const double angle = random.uniform(0, std::numbers::pi);
-      const Vec2 normal(std::cos(angle), std::sin(angle));
+      const Vec2 normal(elementary::cos(angle), elementary::sin(angle));
       double low = normal.dot(cell[0].p), high = low;
       for (const Corner& c : cell) {
         low = std::min(low, normal.dot(c.p));

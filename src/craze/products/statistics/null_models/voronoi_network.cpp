@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "craze/base/elementary.h"
 #include "craze/base/random.h"
 #include "craze/products/statistics/graph/clipped_network.h"
 #include "craze/products/statistics/null_models/null_networks.h"
@@ -43,7 +44,7 @@ class Sites {
     for (std::vector<std::int32_t>& bucket : buckets_) {
       const auto index = static_cast<std::int32_t>(&bucket - buckets_.data());
       // Poisson with mean 1 (Knuth): as many uniform factors as stay above e⁻¹.
-      for (double product = random.uniform(); product > std::exp(-1.0);
+      for (double product = random.uniform(); product > elementary::exp(-1.0);
            product *= random.uniform()) {
         bucket.push_back(static_cast<std::int32_t>(points_.size()));
         const std::int32_t column = index % width_, row = index / width_;

@@ -25,7 +25,8 @@ std::string histogram_svg(const std::vector<double>& values, const Histogram& la
   double peak = *std::max_element(share.begin(), share.end());
   if (peak == 0) peak = 1;
   // Horizontal lines at a round share, four to eight of them.
-  double step = std::pow(10, std::floor(std::log10(peak)));
+  double step = 1;
+  while (step > peak) step /= 10;
   while (peak / step < 4) step /= 2;
   const double ceiling = step * std::ceil(peak / step);
   const auto x = [&](double v) {
