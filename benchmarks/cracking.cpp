@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "craze/base/symmetric_eigen.h"
-#include "craze/model/crack_insertion.h"
-#include "craze/model/separation_tensor.h"
+#include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/failure/separation_tensor.h"
 #include "craze/model/simulation.h"
 #include "states.h"
 

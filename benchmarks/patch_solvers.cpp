@@ -11,8 +11,8 @@
 #include <numeric>
 #include <vector>
 
-#include "craze/model/crack_insertion.h"
-#include "craze/model/equilibrium.h"
+#include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/relaxation/equilibrium.h"
 #include "states.h"
 
 namespace craze {

@@ -8,7 +8,7 @@
 
 #include "craze/mesh/validate.h"
 #include "craze/model/basis_matrix.h"
-#include "craze/model/crack_insertion.h"
+#include "craze/model/cutting/crack_insertion.h"
 #include "model/states.h"
 
 namespace craze {

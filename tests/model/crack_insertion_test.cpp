@@ -1,5 +1,5 @@
 // [IO06] §4.2 and Fig. 5 on stars small enough to see.
-#include "craze/model/crack_insertion.h"
+#include "craze/model/cutting/crack_insertion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The fast engine against solving the whole mesh directly after every crack.
-#include "craze/model/equilibrium.h"
+#include "craze/model/relaxation/equilibrium.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "craze/model/crack_network.h"
-#include "craze/model/failure_criterion.h"
+#include "craze/model/failure/failure_criterion.h"
 #include "craze/model/screening.h"
 #include "model/direct_solve.h"
 #include "model/runs.h"

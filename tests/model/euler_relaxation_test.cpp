@@ -1,5 +1,5 @@
 // [IO06] §4.1, Eqs. 3–7, and the energy that the relaxation descends.
-#include "craze/model/euler_relaxation.h"
+#include "craze/model/relaxation/euler_relaxation.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "craze/base/symmetric_eigen.h"
 #include "craze/model/basis_matrix.h"
-#include "craze/model/crack_insertion.h"
-#include "craze/model/separation_tensor.h"
+#include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/failure/separation_tensor.h"
 #include "model/states.h"
 
 namespace craze {

@@ -1,4 +1,4 @@
-#include "craze/model/healed_cracks.h"
+#include "craze/model/failure/healed_cracks.h"
 
 #include <gtest/gtest.h>
 

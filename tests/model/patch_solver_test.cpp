@@ -1,4 +1,4 @@
-#include "craze/model/patch_solver.h"
+#include "craze/model/relaxation/patch_solver.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "craze/mesh/shapes.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/model/euler_relaxation.h"
+#include "craze/model/relaxation/euler_relaxation.h"
 #include "craze/model/stress_field.h"
 
 namespace craze::test {

@@ -1,10 +1,10 @@
 // The bound on the eigenvalues of K that makes the accelerated relaxation stable.
-#include "craze/model/stiffness_bound.h"
+#include "craze/model/relaxation/stiffness_bound.h"
 
 #include <gtest/gtest.h>
 
 #include "craze/model/basis_matrix.h"
-#include "craze/model/crack_insertion.h"
+#include "craze/model/cutting/crack_insertion.h"
 #include "model/states.h"
 
 namespace craze {

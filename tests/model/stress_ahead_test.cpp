@@ -1,9 +1,9 @@
-#include "craze/model/stress_ahead.h"
+#include "craze/model/failure/stress_ahead.h"
 
 #include <gtest/gtest.h>
 
-#include "craze/model/crack_insertion.h"
-#include "craze/model/failure_criterion.h"
+#include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/failure/failure_criterion.h"
 #include "model/analytic_surfaces.h"
 #include "model/states.h"
 

@@ -1,4 +1,4 @@
-#include "craze/model/vertex_slide.h"
+#include "craze/model/cutting/vertex_slide.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "craze/mesh/transfer_attributes.h"
 #include "craze/mesh/validate.h"
-#include "craze/model/crack_insertion.h"
+#include "craze/model/cutting/crack_insertion.h"
 #include "model/runs.h"
 #include "model/states.h"
 

@@ -11,9 +11,9 @@
 
 #include "craze/mesh/shapes.h"
 #include "craze/mesh/tangent_frame.h"
-#include "craze/model/curvature.h"
-#include "craze/model/direction_bias.h"
+#include "craze/model/failure/direction_bias.h"
 #include "craze/model/screening.h"
+#include "craze/model/sources/curvature.h"
 #include "craze/scenario/presets.h"
 #include "craze/scenario/simulation_input.h"
 #include "craze/stats/statistics.h"

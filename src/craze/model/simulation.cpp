@@ -8,8 +8,8 @@
 #include <string>
 
 #include "craze/base/error.h"
+#include "craze/model/failure/separation_tensor.h"
 #include "craze/model/screening.h"
-#include "craze/model/separation_tensor.h"
 
 namespace craze {
 

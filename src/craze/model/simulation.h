@@ -7,11 +7,11 @@
 
 #include "craze/base/context.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/model/crack_insertion.h"
 #include "craze/model/crack_network.h"
-#include "craze/model/evolution.h"
-#include "craze/model/failure_watch.h"
+#include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/failure/failure_watch.h"
 #include "craze/model/parameters.h"
+#include "craze/model/relaxation/evolution.h"
 #include "craze/model/simulation_fields.h"
 #include "craze/model/stress_field.h"
 

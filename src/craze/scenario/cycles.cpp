@@ -5,7 +5,7 @@
 
 #include "craze/base/error.h"
 #include "craze/base/random.h"
-#include "craze/model/junction_drift.h"
+#include "craze/model/failure/junction_drift.h"
 
 namespace craze {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "craze/model/curvature.h"
-#include "craze/model/separation_tensor.h"
+#include "craze/model/failure/separation_tensor.h"
+#include "craze/model/sources/curvature.h"
 
 namespace craze {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "craze/model/crack_insertion.h"
+#include "craze/model/cutting/crack_insertion.h"
 
 namespace craze {
 
