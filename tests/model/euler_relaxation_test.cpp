@@ -223,15 +223,17 @@ TEST(EulerRelaxation, ARunOfManyStepsIsAsManyRunsOfOneToSinglePrecision) {
 }
 
 TEST(EulerRelaxation, KeepsUpWithWhatCracksMakeOfTheMesh) {
-  TriangleMesh mesh = mesh_of("plate?n=20&jitter=0.3");
-  StressField field = field_of(mesh, random_stress(mesh, 13), singular_value_cap(mesh));
+  const TriangleMesh start = mesh_of("plate?n=20&jitter=0.3");
+  CrackedSheet sheet = sheet_of(start, random_stress(start, 13), singular_value_cap(start));
+  const TriangleMesh& mesh = sheet.mesh();
+  StressField& field = sheet.field();
   EulerRelaxation at_once(mesh, field, {0.05, 0, 0}), one_by_one(mesh, field, {0.05, 0, 0});
   Random random(5);
   CrackOutcome outcome;
   for (int i = 0; i < 60; ++i) {
     const CrackRules rules{0.436, 0.262, i % 2 == 0 ? NearVertex::snap : NearVertex::slide};
     const auto v = static_cast<std::int32_t>(random.below(mesh.vertex_count()));
-    open_crack(mesh, field, v, test::random_unit(random), rules, i, outcome);
+    open_crack(sheet, v, test::random_unit(random), rules, i, outcome);
     at_once.mesh_changed(mesh, field, outcome.changed_faces, outcome.changed_nodes);
     one_by_one.mesh_changed(mesh, field, outcome.changed_faces, outcome.changed_nodes);
   }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "craze/mesh/repair.h"
+#include "craze/model/crack_network.h"
 #include "craze/scenario/output_surface.h"
 #include "scenario/claims.h"
 #include "scenario/texture_shift.h"
@@ -28,7 +29,7 @@ Pattern pattern_of(const SurfaceMesh& mesh, const EdgeLength& edge) {
     options.bootstrap.resamples = 0;
     const Simulation& s = cracked.simulation;
     const Statistics statistics =
-        compute_statistics(graph_from_network(s.network(), s.mesh()), options);
+        compute_statistics(graph_from_network(crack_network(s), s.mesh()), options);
     mean.spacing += statistics.root_area.value / seeds;
     mean.t_share += statistics.t_fraction.value / seeds;
     mean.angle += statistics.leg_angle.value / seeds;
@@ -100,8 +101,8 @@ TEST(SimulationMesh, ALowPolyAssetKeepsItsTextureAndMaterials) {
     SimulationFields fields = simulation_fields(surface, mesh, recipe.simulation, {});
     Simulation simulation(std::move(mesh), std::move(fields), recipe.simulation, {});
     simulation.run({});
-    const CrackSchedule schedule =
-        crack_schedule(simulation.mesh(), crack_sites(simulation.mesh()), simulation.network());
+    const CrackSchedule schedule = crack_schedule(simulation.mesh(), crack_sites(simulation.mesh()),
+                                                  crack_network(simulation));
     const SurfaceMesh output =
         output_surface(surface.mesh, simulation, schedule, find_components(simulation.mesh()));
 

@@ -8,6 +8,7 @@
 #include "craze/io/write_mesh.h"
 #include "craze/mesh/components.h"
 #include "craze/mesh/transfer_attributes.h"
+#include "craze/model/crack_network.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
 #include "craze/scenario/fields.h"
@@ -83,7 +84,7 @@ void write_mesh_and_growth(const RunRequest& request, const ShownSurface& shown,
 void write_outputs(const RunRequest& request, const SurfaceMesh& surface,
                    const Simulation& simulation, RunReport& report, const Context& context) {
   const TriangleMesh& mesh = simulation.mesh();
-  const CrackNetwork network = simulation.network();
+  const CrackNetwork network = crack_network(simulation);
   const Components fragments = find_components(mesh);
   report.cracks = {simulation.events(), simulation.segments(), total_length(network),
                    fragments.count};

@@ -9,7 +9,7 @@
 #include "craze/mesh/remesh.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/failure/direction_bias.h"
-#include "craze/model/relaxation/evolution.h"
+#include "craze/model/relaxation/relaxation.h"
 #include "craze/model/sources/correlated_noise.h"
 #include "craze/model/sources/curvature.h"
 #include "craze/model/sources/input_fields.h"

@@ -46,8 +46,8 @@ double crossing(const TriangleMesh& mesh, std::int32_t h, const Vec3& normal) {
 
 class Insertion {
  public:
-  Insertion(TriangleMesh& mesh, StressField& field, const CrackRules& rules, CrackOutcome& outcome)
-      : mesh_(mesh), field_(field), rules_(rules), outcome_(outcome) {}
+  Insertion(CrackedSheet& sheet, const CrackRules& rules, CrackOutcome& outcome)
+      : sheet_(sheet), mesh_(sheet.mesh()), rules_(rules), outcome_(outcome) {}
 
   std::vector<Ray> admissible_rays(std::int32_t v, const Vec3& normal) const;
   void insert(const Ray& ray, const Vec3& normal, std::int32_t label);
@@ -59,8 +59,8 @@ class Insertion {
   void cut(std::int32_t h, std::int32_t label);
   void note_star(std::int32_t v) { outcome_.changed_nodes.push_back(v); }
 
-  TriangleMesh& mesh_;
-  StressField& field_;
+  CrackedSheet& sheet_;
+  const TriangleMesh& mesh_;
   const CrackRules& rules_;
   CrackOutcome& outcome_;
 };
@@ -134,9 +134,7 @@ std::vector<Ray> Insertion::admissible_rays(std::int32_t v, const Vec3& normal) 
 }
 
 std::int32_t Insertion::split(std::int32_t h, double t) {
-  const std::int32_t from = mesh_.from(h), to = mesh_.to(h);
-  const TriangleMesh::Split split = mesh_.split_edge(h, t);
-  field_.follow(mesh_, split, from, to, t);
+  const TriangleMesh::Split split = sheet_.split(h, t);
   for (int side = 0; side < 2; ++side) {
     if (split.face[side] < 0) continue;
     outcome_.changed_faces.push_back(split.face[side]);
@@ -148,7 +146,7 @@ std::int32_t Insertion::split(std::int32_t h, double t) {
 }
 
 bool Insertion::slide(std::int32_t h, double t) {
-  if (!slide_vertex(mesh_, field_, h, t)) return false;
+  if (!slide_vertex(sheet_, h, t)) return false;
   mesh_.for_each_outgoing(mesh_.from(h), [&](std::int32_t spoke) {
     for (const std::int32_t v : mesh_.triangle(TriangleMesh::face_of(spoke))) note_star(v);
   });
@@ -159,10 +157,9 @@ void Insertion::cut(std::int32_t h, std::int32_t label) {
   const std::int32_t o = mesh_.opposite(h), from = mesh_.from(h), to = mesh_.to(h);
   outcome_.segments.push_back({mesh_.root(from), mesh_.root(to), mesh_.source_face(h / 3)});
   const bool becomes_tip = !mesh_.is_open_vertex(to);
-  const TriangleMesh::Cut cut = mesh_.cut(h, label);
+  const TriangleMesh::Cut cut = sheet_.cut(h, label);
   if (becomes_tip) outcome_.tips.push_back(to);
-  const auto follow = [&](std::int32_t v, std::int32_t copy, std::int32_t fan_start) {
-    field_.follow(mesh_, v, copy);
+  const auto note = [&](std::int32_t v, std::int32_t copy, std::int32_t fan_start) {
     note_star(v);
     if (copy < 0) return;
     note_star(copy);
@@ -170,8 +167,8 @@ void Insertion::cut(std::int32_t h, std::int32_t label) {
       outcome_.changed_faces.push_back(g / 3);
     }
   };
-  follow(from, cut.copy_of_from, h);
-  follow(to, cut.copy_of_to, o);
+  note(from, cut.copy_of_from, h);
+  note(to, cut.copy_of_to, o);
 }
 
 void Insertion::insert(const Ray& ray, const Vec3& normal, std::int32_t label) {
@@ -214,10 +211,10 @@ void CrackOutcome::append(const CrackOutcome& later, std::int32_t at_tip) {
   sort_unique(changed_nodes);
 }
 
-void open_crack(TriangleMesh& mesh, StressField& field, std::int32_t v, const Vec3& normal,
-                const CrackRules& rules, std::int32_t first_label, CrackOutcome& outcome) {
+void open_crack(CrackedSheet& sheet, std::int32_t v, const Vec3& normal, const CrackRules& rules,
+                std::int32_t first_label, CrackOutcome& outcome) {
   outcome.clear();
-  Insertion insertion(mesh, field, rules, outcome);
+  Insertion insertion(sheet, rules, outcome);
   for (const Ray& ray : insertion.admissible_rays(v, normal)) {
     insertion.insert(ray, normal, first_label + static_cast<std::int32_t>(outcome.segments.size()));
   }

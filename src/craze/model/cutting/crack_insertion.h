@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "craze/base/tensor.h"
-#include "craze/mesh/triangle_mesh.h"
+#include "craze/model/cracked_sheet.h"
 #include "craze/model/parameters.h"
-#include "craze/model/stress_field.h"
 
 namespace craze {
 
@@ -41,9 +40,9 @@ struct CrackOutcome {
 /// within θ₁ of an edge the segment follows that edge, the edge's far vertex having slid onto the
 /// plane where the rules say so and it can; within θ₂ of an open edge at v it is dropped. On a bent
 /// star that the plane meets more than twice, the two sides that halve the star best are taken.
-/// New crack edges are labelled first_label, first_label + 1, …; `field` is kept in step. Without
-/// any admissible segment nothing is touched and the outcome is empty.
-void open_crack(TriangleMesh& mesh, StressField& field, std::int32_t v, const Vec3& normal,
-                const CrackRules& rules, std::int32_t first_label, CrackOutcome& outcome);
+/// New crack edges are labelled first_label, first_label + 1, … Without any admissible segment
+/// nothing is touched and the outcome is empty.
+void open_crack(CrackedSheet& sheet, std::int32_t v, const Vec3& normal, const CrackRules& rules,
+                std::int32_t first_label, CrackOutcome& outcome);
 
 }  // namespace craze

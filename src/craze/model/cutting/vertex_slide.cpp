@@ -49,15 +49,14 @@ double deviation(const TriangleMesh& mesh, std::int32_t v, const Vec3& to) {
 
 }  // namespace
 
-bool slide_vertex(TriangleMesh& mesh, StressField& field, std::int32_t h, double t) {
+bool slide_vertex(CrackedSheet& sheet, std::int32_t h, double t) {
+  const TriangleMesh& mesh = sheet.mesh();
   const std::int32_t v = mesh.from(h), toward = mesh.to(h);
   if (mesh.is_open_vertex(v) || mesh.is_pinned(v)) return false;
   const Vec3 edge = mesh.position(toward) - mesh.position(v), to = mesh.position(v) + t * edge;
   if (deviation(mesh, v, to) > most_deviation * edge.norm() || !may_slide(mesh, v, to))
     return false;
-  const std::vector<Sym3> unstrained = field.unstrained_stress(mesh, v);
-  mesh.slide(h, t);
-  field.follow_slide(mesh, v, toward, t, unstrained);
+  sheet.slide(h, t);
   return true;
 }
 

@@ -37,7 +37,7 @@ void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes,
       failing_[nodes[i]] = evaluate(scene, nodes[i], residuals_.count(nodes[i]) > 0);
     }
   });
-  const double load = scene.evolution.load();
+  const double load = scene.loading.load();
   for (const std::int32_t v : nodes) {
     enter(scene, v);
     // A tip that does not fail has stopped: its residual is spent.
@@ -67,11 +67,11 @@ void FailureWatch::enter(const Scene& scene, std::int32_t v) {
   if (failure.shield >= 0) {
     shielded_[failure.shield].push_back(v);
     // Looked at again when that tip is gone, whatever its stress does.
-    scene.evolution.allow_drift(v, std::numeric_limits<double>::infinity());
+    scene.relaxation.allow_drift(v, std::numeric_limits<double>::infinity());
     queue_.remove(v);
     return;
   }
-  const double load = scene.evolution.load(), highest = scene.evolution.highest_load();
+  const double load = scene.loading.load(), highest = scene.loading.highest_load();
   double unwatched = 0;
   if (!failure.exact && load > 0) {
     const double room = 1 / load - failure.measure;
@@ -79,7 +79,7 @@ void FailureWatch::enter(const Scene& scene, std::int32_t v) {
   }
   // v⁺ changes by no more than the forces do, times the factor on ς.
   const double force_per_measure = failure.threshold / std::max(least_scale, failure.weight);
-  const double granted = scene.evolution.allow_drift(v, unwatched * force_per_measure);
+  const double granted = scene.relaxation.allow_drift(v, unwatched * force_per_measure);
   double key = failure.measure;
   if (!failure.exact && force_per_measure > 0) key += granted / force_per_measure;
   queue_.set(v, key * highest > 1 ? key : 0);
@@ -94,7 +94,7 @@ Sym3 FailureWatch::biased(const Scene& scene, std::int32_t v, const Sym3& separa
 Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) {
   const double scale =
       std::max(least_scale, mean_factor(scene.mesh, scene.fields.toughness_scale, v));
-  const double load = scene.evolution.load();
+  const double load = scene.loading.load();
   const double weight = mean_factor(scene.mesh, scene.fields.separation_scale, v);
   const Sym3 tensor =
       biased(scene, v, weight * separation_tensor(scene.mesh, scene.field, v).tensor);
@@ -154,7 +154,7 @@ CrackPlane FailureWatch::crack_plane(const Scene& scene, std::int32_t v) {
   Sym3 driven =
       biased(scene, v, mean_factor(scene.mesh, scene.fields.separation_scale, v) * width * stress);
   const auto residual = residuals_.find(v);
-  if (residual != residuals_.end()) driven += (1 / scene.evolution.load()) * residual->second;
+  if (residual != residuals_.end()) driven += (1 / scene.loading.load()) * residual->second;
   const Eigenpair plane = scene.fields.healed.empty()
                               ? largest_eigenpair(driven)
                               : scene.fields.healed.weakest_plane(weakness(scene, v), driven).plane;
@@ -182,7 +182,7 @@ void FailureWatch::opened(const Scene& scene, std::int32_t v, const Vec3& normal
   // [IO06 Eq. 8] The residual v* = v⁺ − τ drives the new tips on.
   const Failure failure = failing_[v];
   const double excess =
-      std::max(0.0, failure.measure * scene.evolution.load() - 1) * failure.threshold;
+      std::max(0.0, failure.measure * scene.loading.load() - 1) * failure.threshold;
   queue_.remove(v);
   residuals_.erase(v);
   for (const std::int32_t tip : outcome.tips) {

@@ -12,7 +12,8 @@
 #include "craze/model/failure/failure_queue.h"
 #include "craze/model/failure/stress_ahead.h"
 #include "craze/model/parameters.h"
-#include "craze/model/relaxation/evolution.h"
+#include "craze/model/relaxation/loading.h"
+#include "craze/model/relaxation/relaxation.h"
 #include "craze/model/simulation_fields.h"
 #include "craze/model/stress_field.h"
 
@@ -44,7 +45,8 @@ class FailureWatch {
     const TriangleMesh& mesh;
     const StressField& field;
     const SimulationFields& fields;
-    Evolution& evolution;
+    const Loading& loading;
+    Relaxation& relaxation;
   };
 
   /// Wants resolved parameters (screening.h).
@@ -70,7 +72,7 @@ class FailureWatch {
   /// v failed but no segment was admissible: it is left alone until the plane turns.
   void could_not_open(std::int32_t v);
   /// v failed and opened on a plane of that normal. Appends the nodes to look at again, besides
-  /// those that evolve() names.
+  /// those that relax() names.
   void opened(const Scene& scene, std::int32_t v, const Vec3& normal, const CrackOutcome& outcome,
               std::vector<std::int32_t>& changed);
 

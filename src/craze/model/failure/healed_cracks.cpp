@@ -1,6 +1,7 @@
 #include "craze/model/failure/healed_cracks.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "craze/base/random.h"
@@ -14,15 +15,15 @@ constexpr double reach = 6.5;
 
 }  // namespace
 
-HealedCracks::HealedCracks(const CrackNetwork& network, double ratio, double width)
+HealedCracks::HealedCracks(std::span<const HealedPiece> pieces, double ratio, double width)
     : root_(std::sqrt(ratio)), width_(width) {
+  assert(ratio > 0 && ratio <= 1 && width > 0);
   double longest = 0;
-  for (const CrackEdge& e : network.edges) {
-    const CrackNode &a = network.nodes[e.a], &b = network.nodes[e.b];
-    const Vec3 d = b.position - a.position;
-    const Vec3 normal = (a.normal + b.normal).cross(d);
+  for (const HealedPiece& piece : pieces) {
+    const Vec3 d = piece.end - piece.start;
+    const Vec3 normal = piece.up.cross(d);
     if (!(normal.norm() > 0)) continue;
-    pieces_.push_back({a.position, d.normalized(), normal.normalized(), d.norm()});
+    pieces_.push_back({piece.start, d.normalized(), normal.normalized(), d.norm()});
     longest = std::max(longest, d.norm());
   }
   cell_size_ = reach * width_ + longest / 2;

@@ -6,12 +6,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "craze/base/symmetric_eigen.h"
 #include "craze/base/tensor.h"
-#include "craze/model/crack_network.h"
 
 namespace craze {
 
@@ -21,6 +21,12 @@ struct WeakPlane {
   double strength = 1;  ///< the factor on strength and toughness across it
   /// The greatest n̂ᵀ ς n̂ / strength changes by at most sensitivity / strength times a change of ς.
   double sensitivity = 1;
+};
+
+/// A straight piece of an old crack.
+struct HealedPiece {
+  Vec3 start, end;
+  Vec3 up;  ///< along the surface's normal, of any length
 };
 
 /// Strength and toughness across a plane with unit normal n̂ are multiplied by n̂ᵀ W⁻² n̂, with
@@ -33,7 +39,7 @@ class HealedCracks {
  public:
   HealedCracks() = default;
   /// ratio: r, 0 < r ≤ 1. width: w > 0, length.
-  HealedCracks(const CrackNetwork& network, double ratio, double width);
+  HealedCracks(std::span<const HealedPiece> pieces, double ratio, double width);
 
   bool empty() const { return pieces_.empty(); }
   /// W at a point.

@@ -21,7 +21,7 @@ constexpr double seed_part = 0.25;
 
 /// |F − κ A u|² in the tangent plane; 0 where the node is held.
 double squared_residual(const LayerState& layer, std::int32_t v) {
-  if (layer.is_fixed(v)) return 0;
+  if (layer.field.is_held(v)) return 0;
   const Vec3 pull = layer.pull(v);
   const double normal = layer.field.normals()[v].dot(pull);
   return pull.squaredNorm() - normal * normal;
@@ -57,7 +57,7 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
   } else if (static_cast<std::int32_t>(changed.size()) < mesh.vertex_count()) {
     stiffness_.update(mesh, field, changed, threads);
   }
-  LayerState layer{mesh, field, stiffness_, fixed, options_.adhesion, options_.tolerance};
+  LayerState layer{mesh, field, stiffness_, options_.adhesion, options_.tolerance};
   const double allowed = options_.tolerance * options_.tolerance;
   std::vector<std::int32_t> open;
   double largest = 0;

@@ -29,9 +29,6 @@ class Equilibrium {
   explicit Equilibrium(const EquilibriumOptions& options)
       : options_(options), stiffness_(options.adhesion) {}
 
-  /// Nodes that never move. Vertices beyond the vector are free.
-  std::vector<char> fixed;
-
   void set_tolerance(double tolerance) { options_.tolerance = tolerance; }
 
   /// Lets the forces on v change by this much, in sum over its elements, from now on, before

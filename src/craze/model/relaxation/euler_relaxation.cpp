@@ -83,7 +83,7 @@ void EulerRelaxation::drifted(std::vector<std::int32_t>& nodes) const {
 
 void EulerRelaxation::run(StressField& field, const TriangleMesh& mesh, std::int64_t steps,
                           int threads) {
-  resize(mesh);
+  resize(field);
   constexpr double none_left = 1e-6;
   for (auto remaining = static_cast<double>(steps); remaining > none_left;) {
     const double taken = next_steps(remaining);
@@ -100,10 +100,10 @@ void EulerRelaxation::run(StressField& field, const TriangleMesh& mesh, std::int
   }
 }
 
-void EulerRelaxation::resize(const TriangleMesh& mesh) {
-  const auto nodes = static_cast<std::size_t>(mesh.vertex_count());
-  held_ = fixed;
-  held_.resize(nodes, 0);
+void EulerRelaxation::resize(const StressField& field) {
+  const std::size_t nodes = field.forces().size();
+  held_.resize(nodes);
+  for (std::size_t v = 0; v < nodes; ++v) held_[v] = field.is_held(static_cast<std::int32_t>(v));
   moves_.resize(nodes);
   for (auto& lane : changes_) lane.resize(nodes);
   drift_.resize(nodes, 0);

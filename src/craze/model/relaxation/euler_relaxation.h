@@ -20,10 +20,10 @@ struct EulerRelaxationOptions {
   bool accelerated = false;  ///< the same in fewer steps (relaxation_schedule.h); wants κ = 0
 };
 
-/// Moves every node at once (Jacobi): Δp = Δt F, u += Δp, σ += (∂ε/∂p) Δp, F from the new σ. It is
-/// gradient descent on ½ Σ A |σ|² (+ ½ κ Σ A_n |u|²), so that energy never rises while Δt is below
-/// 2 / (largest eigenvalue of K); accelerated, for any Δt. Blocks of elements none of whose nodes
-/// is moved are skipped.
+/// Moves every node that is not held at once (Jacobi): Δp = Δt F, u += Δp, σ += (∂ε/∂p) Δp, F from
+/// the new σ. It is gradient descent on ½ Σ A |σ|² (+ ½ κ Σ A_n |u|²), so that energy never rises
+/// while Δt is below 2 / (largest eigenvalue of K); accelerated, for any Δt. Blocks of elements
+/// none of whose nodes is moved are skipped.
 ///
 /// Of several steps only F is followed from one to the next, in single precision (the moves come
 /// out good to 10⁻⁶). σ and F are then made from the moves in double precision: F is the force of
@@ -32,9 +32,6 @@ class EulerRelaxation {
  public:
   EulerRelaxation(const TriangleMesh& mesh, const StressField& field,
                   const EulerRelaxationOptions& options);
-
-  /// Nodes that never move: the paper's fixed boundary. Vertices beyond the vector are free.
-  std::vector<char> fixed;
 
   /// Takes in faces and vertices appended since, the faces listed, whose corners changed, and the
   /// nodes listed, whose star did.
@@ -45,7 +42,7 @@ class EulerRelaxation {
   /// does not depend on `threads`.
   void run(StressField& field, const TriangleMesh& mesh, std::int64_t steps, int threads);
 
-  /// As Evolution::allow_drift; grants all.
+  /// As Relaxation::allow_drift; grants all.
   double allow_drift(std::int32_t v, double force);
   /// Appends the nodes whose forces have changed by more than was allowed, in ascending order.
   void drifted(std::vector<std::int32_t>& nodes) const;
@@ -56,7 +53,7 @@ class EulerRelaxation {
   double largest_force() const { return largest_force_; }
 
  private:
-  void resize(const TriangleMesh& mesh);
+  void resize(const StressField& field);
   bool steps_are_stable() const { return options_.time_step * scheduled_stiffness_ <= 2; }
   double next_steps(double remaining);
   void move_nodes(const StressField& field, double time_step, int threads);

@@ -158,7 +158,7 @@ void PatchSolver::load_rows(const Task& task) {
     for (std::int32_t k = 0; k < row.count; ++k) {
       const std::int32_t n = row.columns[k];
       if (mark[n] == -1) {
-        if (task.layer.is_fixed(n)) {
+        if (task.layer.field.is_held(n)) {
           mark[n] = fixed_node;
           held_.push_back(n);
         } else {
@@ -227,7 +227,7 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
   clear();
   const Task task{layer, patch, takes_all, seed_patch, mark};
   for (const std::int32_t v : seeds) {
-    if (mark[v] == -1 && !layer.is_fixed(v)) join(task, v);
+    if (mark[v] == -1 && !layer.field.is_held(v)) join(task, v);
   }
   load_rows(task);
   float zr = 0, most = 0, allowed = solved;

@@ -17,13 +17,9 @@ struct LayerState {
   const TriangleMesh& mesh;
   const StressField& field;
   const TangentStiffness& stiffness;
-  const std::vector<char>& fixed;  ///< nodes that never move; vertices beyond it are free
-  double adhesion;                 ///< κ, 1/length²
-  double tolerance;                ///< largest residual that may stay, force
+  double adhesion;   ///< κ, 1/length²
+  double tolerance;  ///< largest residual that may stay, force
 
-  bool is_fixed(std::int32_t v) const {
-    return v < static_cast<std::int32_t>(fixed.size()) && fixed[v] != 0;
-  }
   /// Asks for what pull() and the residual read, some time before.
   void prefetch(std::int32_t v) const {
     __builtin_prefetch(&field.forces()[v]);

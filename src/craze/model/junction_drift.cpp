@@ -1,4 +1,4 @@
-#include "craze/model/failure/junction_drift.h"
+#include "craze/model/junction_drift.h"
 
 #include <algorithm>
 #include <cmath>

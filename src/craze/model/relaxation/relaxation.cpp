@@ -1,8 +1,8 @@
-#include "craze/model/relaxation/evolution.h"
+#include "craze/model/relaxation/relaxation.h"
 
 #include "craze/model/basis_matrix.h"
-#include "craze/model/relaxation/euler_evolution.h"
-#include "craze/model/relaxation/quasistatic_evolution.h"
+#include "craze/model/relaxation/equilibrium_relaxation.h"
+#include "craze/model/relaxation/flow_relaxation.h"
 #include "craze/model/screening.h"
 
 namespace craze {
@@ -11,13 +11,12 @@ Engine running_engine(const SimulationParameters& parameters) {
   return adhesion(parameters.layer) > 0 ? parameters.engine : Engine::euler;
 }
 
-std::unique_ptr<Evolution> make_evolution(const TriangleMesh& mesh, const StressField& field,
-                                          const SimulationParameters& parameters,
-                                          const EvolutionInputs& inputs) {
+std::unique_ptr<Relaxation> make_relaxation(const TriangleMesh& mesh, const StressField& field,
+                                            const SimulationParameters& parameters) {
   if (running_engine(parameters) == Engine::euler) {
-    return std::make_unique<EulerEvolution>(mesh, field, parameters, inputs);
+    return std::make_unique<FlowRelaxation>(mesh, field, parameters);
   }
-  return std::make_unique<QuasistaticEvolution>(mesh, parameters, inputs);
+  return std::make_unique<EquilibriumRelaxation>(mesh, parameters);
 }
 
 double engine_singular_value_cap(const TriangleMesh& mesh, Engine engine) {

@@ -1,7 +1,7 @@
-#include "craze/model/relaxation/quasistatic_evolution.h"
+#include "craze/model/relaxation/equilibrium_relaxation.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cassert>
 #include <limits>
 #include <numeric>
 
@@ -22,9 +22,8 @@ constexpr double accuracy_step = 1.25;
 
 }  // namespace
 
-QuasistaticEvolution::QuasistaticEvolution(const TriangleMesh& mesh,
-                                           const SimulationParameters& parameters,
-                                           const EvolutionInputs& inputs)
+EquilibriumRelaxation::EquilibriumRelaxation(const TriangleMesh& mesh,
+                                             const SimulationParameters& parameters)
     : parameters_(parameters.evolution),
       failure_force_(typical_failure_force(mesh, parameters.material)),
       equilibrium_({adhesion(parameters.layer), 0, reach * parameters.layer.screening_length}),
@@ -32,20 +31,20 @@ QuasistaticEvolution::QuasistaticEvolution(const TriangleMesh& mesh,
                         ? independence * parameters.layer.screening_length
                         : std::numeric_limits<double>::infinity()),
       stride_(parameters.crack.stride * parameters.layer.screening_length) {
-  equilibrium_.fixed = inputs.fixed;
+  assert(parameters.layer.screening_length > 0);
 }
 
-void QuasistaticEvolution::mesh_changed(const TriangleMesh&, const CrackOutcome& outcome) {
+void EquilibriumRelaxation::mesh_changed(const TriangleMesh&, const CrackOutcome& outcome) {
   seeds_.insert(seeds_.end(), outcome.changed_nodes.begin(), outcome.changed_nodes.end());
 }
 
-void QuasistaticEvolution::evolve(StressField& field, const TriangleMesh& mesh, int threads,
-                                  std::vector<std::int32_t>& changed) {
+void EquilibriumRelaxation::relax(StressField& field, const TriangleMesh& mesh, double load,
+                                  int threads, std::vector<std::int32_t>& changed) {
   // Forces are stored at load 1, where nodes fail at failure_force_ / load: as the load grows, what
   // was close enough to equilibrium has to be brought closer.
-  if (load_ >= accurate_up_to_) {
-    accurate_up_to_ = load_ > 0 ? std::min(accuracy_step * load_, 2 * parameters_.max_load)
-                                : parameters_.max_load;
+  if (load >= accurate_up_to_) {
+    accurate_up_to_ =
+        load > 0 ? std::min(accuracy_step * load, 2 * parameters_.max_load) : parameters_.max_load;
     const double failure_force = failure_force_ / accurate_up_to_;
     equilibrium_.set_tolerance(parameters_.residual * failure_force);
     seeds_.resize(mesh.vertex_count());
@@ -55,16 +54,6 @@ void QuasistaticEvolution::evolve(StressField& field, const TriangleMesh& mesh, 
   seeds_.erase(std::unique(seeds_.begin(), seeds_.end()), seeds_.end());
   equilibrium_.restore(field, mesh, seeds_, threads, changed);
   seeds_.clear();
-}
-
-bool QuasistaticEvolution::advance(double needed) {
-  if (needed > parameters_.max_load) {
-    reached_max_load_ = std::isfinite(needed);
-    load_ = reached_max_load_ ? parameters_.max_load : load_;
-    return false;
-  }
-  load_ = std::max(load_, needed);
-  return true;
 }
 
 }  // namespace craze
