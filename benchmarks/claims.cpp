@@ -5,6 +5,7 @@
 
 #include "craze/io/read_mesh.h"
 #include "craze/job/figure_table.h"
+#include "craze/model/crack_network.h"
 #include "engine/claims.h"
 
 namespace craze {
@@ -45,7 +46,7 @@ void measure_alpha(const std::string& engine, const std::string& shape, Recipe r
     const Sample turn = over_seeds([&](std::uint64_t seed) {
       const test::Cracked cracked = test::crack(shape, recipe, seed);
       lengths.push_back(test::tortuosity(cracked));
-      return test::mean_turn(cracked.simulation.network());
+      return test::mean_turn(crack_network(cracked.simulation));
     });
     const Sample length = over_seeds([&](std::uint64_t seed) { return lengths[seed - 1]; });
     const std::string setting = fmt::format("α = {}, {}", alpha, engine);

@@ -2,8 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include "craze/base/symmetric_eigen.h"
-#include "craze/model/crack_insertion.h"
-#include "craze/model/separation_tensor.h"
+#include "craze/model/crack_network.h"
+#include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/failure/separation_tensor.h"
 #include "craze/model/simulation.h"
 #include "states.h"
 
@@ -53,15 +54,14 @@ void cuts(benchmark::State& state) {
   std::int64_t segments = 0;
   for (auto _ : state) {
     state.PauseTiming();
-    TriangleMesh mesh = plate;
-    StressField field = uncut;
+    CrackedSheet sheet(plate, uncut);
     Random random(2);
     CrackOutcome outcome;
     state.ResumeTiming();
     for (int i = 0; i < 2000; ++i) {
-      const auto v = static_cast<std::int32_t>(random.below(mesh.vertex_count()));
+      const auto v = static_cast<std::int32_t>(random.below(sheet.mesh().vertex_count()));
       const double angle = random.uniform(0, 6.3);
-      open_crack(mesh, field, v, {std::cos(angle), std::sin(angle), 0}, {0.436, 0.262}, 0, outcome);
+      open_crack(sheet, v, {std::cos(angle), std::sin(angle), 0}, {0.436, 0.262}, 0, outcome);
       segments += static_cast<std::int64_t>(outcome.segments.size());
     }
   }
@@ -117,7 +117,7 @@ void flow_run(benchmark::State& state) {
     Simulation simulation(mesh, fields, parameters, context);
     simulation.run(context);
     length = 0;
-    const CrackNetwork network = simulation.network();
+    const CrackNetwork network = crack_network(simulation);
     for (const CrackEdge& e : network.edges) {
       length += (network.nodes[e.a].position - network.nodes[e.b].position).norm();
     }

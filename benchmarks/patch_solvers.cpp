@@ -11,8 +11,8 @@
 #include <numeric>
 #include <vector>
 
-#include "craze/model/crack_insertion.h"
-#include "craze/model/equilibrium.h"
+#include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/relaxation/equilibrium.h"
 #include "states.h"
 
 namespace craze {
@@ -26,8 +26,7 @@ using Block = Eigen::Matrix2f;
 class CrackedPlate {
  public:
   explicit CrackedPlate(double screening)
-      : mesh_(bench::plate(cells)),
-        field_(bench::noisy_field(mesh_, 0)),
+      : sheet_(bench::plate(cells), bench::noisy_field(bench::plate(cells), 0)),
         length_(screening / cells),
         kappa_(1 / (length_ * length_)),
         stiffness_(kappa_) {
@@ -41,8 +40,7 @@ class CrackedPlate {
     const double end = mesh_.position(tip).y() + 2 * length_;
     while (mesh_.position(tip).y() < end) {
       restore();
-      open_crack(mesh_, field_, tip, Vec3::UnitX(), {0.35, 1, NearVertex::slide}, labels_++,
-                 outcome);
+      open_crack(sheet_, tip, Vec3::UnitX(), {0.35, 1, NearVertex::slide}, labels_++, outcome);
       changed = outcome.changed_nodes;
       const auto upper = std::max_element(outcome.tips.begin(), outcome.tips.end(),
                                           [&](std::int32_t a, std::int32_t b) {
@@ -58,7 +56,7 @@ class CrackedPlate {
 
   /// A twentieth of the force at which a node of strength 1 fails.
   static double tolerance() { return 0.05 * 0.87 / cells; }
-  LayerState layer() const { return {mesh_, field_, stiffness_, fixed_, kappa_, tolerance()}; }
+  LayerState layer() const { return {mesh_, field_, stiffness_, kappa_, tolerance()}; }
   const TriangleMesh& mesh() const { return mesh_; }
   const std::vector<std::int32_t>& seeds() const { return seeds_; }
   const Vec3& tip() const { return tip_; }
@@ -79,11 +77,11 @@ class CrackedPlate {
     return nearest;
   }
 
-  TriangleMesh mesh_;
-  StressField field_;
+  CrackedSheet sheet_;
+  const TriangleMesh& mesh_ = sheet_.mesh();
+  StressField& field_ = sheet_.field();
   double length_, kappa_;
   TangentStiffness stiffness_;
-  std::vector<char> fixed_;
   std::vector<std::int32_t> seeds_;
   std::int32_t labels_ = 0;
   Vec3 tip_;

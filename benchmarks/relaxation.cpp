@@ -1,5 +1,5 @@
 // Triangle updates per second of the explicit relaxation, every element active.
-#include "craze/model/euler_relaxation.h"
+#include "craze/model/relaxation/euler_relaxation.h"
 
 #include <benchmark/benchmark.h>
 

@@ -12,9 +12,10 @@
 #include "craze/engine/initial_fields.h"
 #include "craze/mesh/shapes.h"
 #include "craze/mesh/tangent_frame.h"
-#include "craze/model/curvature.h"
-#include "craze/model/direction_bias.h"
+#include "craze/model/crack_network.h"
+#include "craze/model/failure/direction_bias.h"
 #include "craze/model/screening.h"
+#include "craze/model/sources/curvature.h"
 #include "craze/products/statistics/statistics.h"
 #include "craze/recipe/presets.h"
 #include "model/border_angles.h"
@@ -56,7 +57,8 @@ inline double tortuosity(const Cracked& cracked) {
   StatisticsOptions options;
   options.bootstrap.resamples = 0;
   const Simulation& s = cracked.simulation;
-  return compute_statistics(graph_from_network(s.network(), s.mesh()), options).tortuosity.value;
+  return compute_statistics(graph_from_network(crack_network(s), s.mesh()), options)
+      .tortuosity.value;
 }
 
 /// Mean turn from each crack edge to the next one, degrees.
@@ -92,7 +94,7 @@ inline double density_contrast(const Cracked& cracked) {
   for (std::size_t f = 0; f < faces; ++f) {
     for (const std::int32_t v : mesh.triangles()[f]) bend[f] += curvature[v].frobenius() / 3;
   }
-  const CrackNetwork network = cracked.simulation.network();
+  const CrackNetwork network = crack_network(cracked.simulation);
   for (const CrackEdge& e : network.edges) {
     length[e.face] += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
   }
@@ -120,7 +122,7 @@ inline double density_contrast(const Cracked& cracked) {
 /// surface has one: 1 for cracks along it, 0 for cracks without preference, −1 across.
 inline double alignment(const Cracked& cracked) {
   const auto preferred = preferred_directions(vertex_curvature(cracked.before, 0, {}));
-  const CrackNetwork network = cracked.simulation.network();
+  const CrackNetwork network = crack_network(cracked.simulation);
   double sum = 0, total = 0;
   for (const CrackEdge& e : network.edges) {
     const PreferredDirection& p = preferred[cracked.before.triangle(e.face)[0]];
@@ -135,7 +137,7 @@ inline double alignment(const Cracked& cracked) {
 
 /// Mean of |degrees off the border's normal| of the cracks that end on a plate's border.
 inline double off_border_normal(const Cracked& cracked, double reach) {
-  const auto angles = border_angles(cracked.simulation.network(), reach, reach);
+  const auto angles = border_angles(crack_network(cracked.simulation), reach, reach);
   double sum = 0;
   for (const double angle : angles) sum += std::abs(angle);
   return angles.empty() ? std::nan("") : sum / static_cast<double>(angles.size());
@@ -150,7 +152,7 @@ inline double rings_before_half_the_rays(const Cracked& cracked, const Vec3& cen
   };
   std::vector<Piece> pieces;
   double rays = 0, rings = 0;
-  const CrackNetwork network = cracked.simulation.network();
+  const CrackNetwork network = crack_network(cracked.simulation);
   for (const CrackEdge& e : network.edges) {
     const Vec3 &a = network.nodes[e.a].position, &b = network.nodes[e.b].position;
     const double length = (b - a).norm();

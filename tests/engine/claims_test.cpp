@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "craze/job/figure_table.h"
+#include "craze/model/crack_network.h"
 
 namespace craze {
 namespace {
@@ -30,7 +31,7 @@ TEST(Claims, SmallerAlphaGivesMoreTortuousCracks) {
     double turn = 0;
     const double length = mean_over_seeds([&](std::uint64_t seed) {
       const test::Cracked cracked = test::crack("plate?n=60&jitter=0.3", recipe, seed);
-      turn += test::mean_turn(cracked.simulation.network()) / seeds;
+      turn += test::mean_turn(crack_network(cracked.simulation)) / seeds;
       return test::tortuosity(cracked);
     });
     EXPECT_LT(length, longer) << "alpha " << alpha;

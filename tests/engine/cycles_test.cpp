@@ -1,4 +1,5 @@
 #include "craze/engine/cycles.h"
+#include "craze/model/crack_network.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ SimulationParameters mud(std::int64_t cycles) {
 
 double t_fraction(const LastCycle& last) {
   const Simulation& s = *last.simulation;
-  return compute_statistics(graph_from_network(s.network(), s.mesh())).t_fraction.value;
+  return compute_statistics(graph_from_network(crack_network(s), s.mesh())).t_fraction.value;
 }
 
 TEST(Cycles, TurnJunctionsAwayFromT) {
@@ -49,8 +50,8 @@ TEST(Cycles, GiveTheSameCracksOnAnyNumberOfThreads) {
   Context one, three;
   one.threads = 1;
   three.threads = 3;
-  const CrackNetwork a = run_cycles(plate(), mud(2), {}, one).simulation->network();
-  const CrackNetwork b = run_cycles(plate(), mud(2), {}, three).simulation->network();
+  const CrackNetwork a = crack_network(*run_cycles(plate(), mud(2), {}, one).simulation);
+  const CrackNetwork b = crack_network(*run_cycles(plate(), mud(2), {}, three).simulation);
   ASSERT_EQ(a.nodes.size(), b.nodes.size());
   ASSERT_EQ(a.edges.size(), b.edges.size());
   for (std::size_t i = 0; i < a.nodes.size(); ++i) {

@@ -29,7 +29,7 @@ Pattern pattern_of(const SurfaceMesh& mesh, const EdgeLength& edge) {
     options.bootstrap.resamples = 0;
     const Simulation& s = cracked.simulation;
     const Statistics statistics =
-        compute_statistics(graph_from_network(s.network(), s.mesh()), options);
+        compute_statistics(graph_from_network(crack_network(s), s.mesh()), options);
     mean.spacing += statistics.root_area.value / seeds;
     mean.t_share += statistics.t_fraction.value / seeds;
     mean.angle += statistics.leg_angle.value / seeds;

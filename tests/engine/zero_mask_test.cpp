@@ -2,6 +2,7 @@
 // one that was painted.
 #include <gtest/gtest.h>
 
+#include "craze/model/crack_network.h"
 #include "craze/render/png.h"
 #include "engine/claims.h"
 #include "temporary_folder.h"
@@ -51,7 +52,7 @@ Recipe recipe_of(Engine engine, Criterion criterion) {
 }
 
 void expect_cracks_only_right_of(const test::Cracked& cracked, double border) {
-  const CrackNetwork network = cracked.simulation.network();
+  const CrackNetwork network = crack_network(cracked.simulation);
   ASSERT_GT(network.edges.size(), 8u);
   for (const CrackNode& node : network.nodes) EXPECT_GE(node.position.x(), border);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "craze/model/basis_matrix.h"
+#include "craze/model/crack_network.h"
 #include "model/runs.h"
 #include "model/states.h"
 
@@ -123,7 +124,7 @@ SimulationParameters flow(Engine engine, std::int64_t steps) {
 
 double crack_length(const Simulation& simulation) {
   double sum = 0;
-  const CrackNetwork network = simulation.network();
+  const CrackNetwork network = crack_network(simulation);
   for (const CrackEdge& edge : network.edges) {
     sum += (network.nodes[edge.a].position - network.nodes[edge.b].position).norm();
   }

@@ -70,24 +70,21 @@ TEST(Adhesion, ScreeningLengthAndSpacingSetKappa) {
 
 // A plate with a slit along the middle of y = 0, |x| < reach.
 struct SlitPlate {
-  TriangleMesh mesh;
-  StressField field;
+  CrackedSheet sheet;
+  const TriangleMesh& mesh = sheet.mesh();
+  StressField& field = sheet.field();
 };
 
 SlitPlate with_slit(const Sym3& stress, double reach) {
-  TriangleMesh mesh = mesh_of("plate?n=40");
-  StressField field = field_of(mesh, stress);
+  CrackedSheet sheet = test::sheet_of(mesh_of("plate?n=40"), stress);
+  const TriangleMesh& mesh = sheet.mesh();
   for (std::int32_t h = 0, halfedges = 3 * mesh.face_count(); h < halfedges; ++h) {
     const Vec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h));
     const bool on_slit = std::abs(a.y()) + std::abs(b.y()) < 1e-9 && std::abs(a.x()) < reach &&
                          std::abs(b.x()) < reach;
-    if (!on_slit || mesh.is_open(h)) continue;
-    const std::int32_t from = mesh.from(h), to = mesh.to(h);
-    const TriangleMesh::Cut cut = mesh.cut(h, 0);
-    field.follow(mesh, from, cut.copy_of_from);
-    field.follow(mesh, to, cut.copy_of_to);
+    if (on_slit && !mesh.is_open(h)) sheet.cut(h, 0);
   }
-  return {std::move(mesh), std::move(field)};
+  return {std::move(sheet)};
 }
 
 /// Mean stress of the faces within a tenth of the plate of the slit's middle.

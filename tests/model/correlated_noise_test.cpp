@@ -1,4 +1,4 @@
-#include "craze/model/correlated_noise.h"
+#include "craze/model/sources/correlated_noise.h"
 
 #include <gtest/gtest.h>
 

@@ -8,24 +8,23 @@
 
 #include "craze/mesh/validate.h"
 #include "craze/model/basis_matrix.h"
-#include "craze/model/crack_insertion.h"
+#include "craze/model/cutting/crack_insertion.h"
 #include "model/states.h"
 
 namespace craze {
 namespace {
 
 struct Cracked {
-  TriangleMesh mesh;
   std::vector<Sym3> stress;  // per input face
-  StressField field;
-  double area;
+  CrackedSheet sheet;
+  const TriangleMesh& mesh = sheet.mesh();
+  const StressField& field = sheet.field();
+  double area = mesh.total_area();
   std::int32_t labels = 0;
 
-  Cracked(const std::string& shape, std::uint64_t seed)
-      : mesh(test::mesh_of(shape)),
-        stress(test::random_stress(mesh, seed)),
-        field(test::field_of(mesh, stress, singular_value_cap(mesh))),
-        area(mesh.total_area()) {}
+  Cracked(const TriangleMesh& start, std::uint64_t seed)
+      : stress(test::random_stress(start, seed)),
+        sheet(test::sheet_of(start, stress, singular_value_cap(start))) {}
 };
 
 /// A node: half of the time one that is open already, so that cracks grow, meet and cross.
@@ -63,7 +62,7 @@ void open_and_check(Cracked& c, std::int32_t v, const Vec3& normal, const CrackR
   std::vector<Triangle> triangles = c.mesh.triangles();
 
   CrackOutcome outcome;
-  open_crack(c.mesh, c.field, v, normal, rules, c.labels, outcome);
+  open_crack(c.sheet, v, normal, rules, c.labels, outcome);
 
   const std::vector<std::string> faults = validate(c.mesh);
   ASSERT_TRUE(faults.empty()) << faults.front();
@@ -111,7 +110,7 @@ void open_and_check(Cracked& c, std::int32_t v, const Vec3& normal, const CrackR
 
 void crack_at_random(const std::string& shape, std::uint64_t seed, int cracks,
                      const CrackRules& rules) {
-  Cracked c(shape, seed);
+  Cracked c(test::mesh_of(shape), seed);
   Random random(seed);
   for (int i = 0; i < cracks && !::testing::Test::HasFatalFailure(); ++i) {
     const std::int32_t v = random_node(c.mesh, random);

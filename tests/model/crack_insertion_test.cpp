@@ -1,5 +1,5 @@
 // [IO06] §4.2 and Fig. 5 on stars small enough to see.
-#include "craze/model/crack_insertion.h"
+#include "craze/model/cutting/crack_insertion.h"
 
 #include <gtest/gtest.h>
 
@@ -40,17 +40,16 @@ TriangleMesh fan(int faces, double span) {
 
 struct Opened {
   TriangleMesh mesh;
-  StressField field;
   CrackOutcome outcome;
 };
 
 /// Opens the crack that runs in the direction of `angle` (and back) through vertex 0.
 Opened open(TriangleMesh mesh, double angle, const CrackRules& with = rules) {
-  StressField field = test::field_of(mesh, {1, 2, 0, 0.5, 0, 0});
+  CrackedSheet sheet = test::sheet_of(std::move(mesh), Sym3{1, 2, 0, 0.5, 0, 0});
   CrackOutcome outcome;
-  open_crack(mesh, field, 0, {-std::sin(angle), std::cos(angle), 0}, with, 0, outcome);
-  EXPECT_TRUE(validate(mesh).empty());
-  return {std::move(mesh), std::move(field), std::move(outcome)};
+  open_crack(sheet, 0, {-std::sin(angle), std::cos(angle), 0}, with, 0, outcome);
+  EXPECT_TRUE(validate(sheet.mesh()).empty());
+  return {sheet.mesh(), std::move(outcome)};
 }
 
 double direction_of(const Opened& o, const CrackSegment& s) {
@@ -137,11 +136,11 @@ TEST(CrackInsertion, TwoSegmentsOfABentStarAreThoseThatHalveItBest) {
     positions.emplace_back(std::cos(angle), std::sin(angle), i % 2 == 0 ? 0.8 : -0.8);
   }
   for (int i = 0; i < 8; ++i) triangles.push_back({0, 1 + i, 1 + (i + 1) % 8});
-  TriangleMesh mesh(positions, triangles);
-  StressField field = test::field_of(mesh, Sym3{});
+  CrackedSheet sheet = test::sheet_of(TriangleMesh(positions, triangles), Sym3{});
   CrackOutcome outcome;
-  open_crack(mesh, field, 0, {0, 0, 1}, {0, 0}, 0, outcome);
+  open_crack(sheet, 0, {0, 0, 1}, {0, 0}, 0, outcome);
   ASSERT_EQ(outcome.segments.size(), 2u);
+  const TriangleMesh& mesh = sheet.mesh();
   const Vec3 a = mesh.position(outcome.segments[0].to_root);
   const Vec3 b = mesh.position(outcome.segments[1].to_root);
   EXPECT_LT(a.normalized().dot(b.normalized()), -0.99);
@@ -156,22 +155,22 @@ TEST(CrackInsertion, ANodeWhoseStarThePlaneMissesIsLeftWhole) {
     positions.emplace_back(std::cos(60 * degree * i), std::sin(60 * degree * i), -1);
     triangles.push_back({0, 1 + i, 1 + (i + 1) % 6});
   }
-  TriangleMesh mesh(positions, triangles);
-  StressField field = test::field_of(mesh, Sym3{});
+  CrackedSheet sheet = test::sheet_of(TriangleMesh(positions, triangles), Sym3{});
   CrackOutcome outcome;
-  open_crack(mesh, field, 0, {0, 0, 1}, rules, 0, outcome);
+  open_crack(sheet, 0, {0, 0, 1}, rules, 0, outcome);
   EXPECT_TRUE(outcome.empty());
 }
 
 TEST(CrackInsertion, ANewNodeTakesItsDisplacementFromTheEndsOfTheSplitEdge) {
-  TriangleMesh mesh = fan(6, 360 * degree);
-  StressField field = test::field_of(mesh, Sym3{});
+  CrackedSheet sheet = test::sheet_of(fan(6, 360 * degree), Sym3{});
+  const TriangleMesh& mesh = sheet.mesh();
+  StressField& field = sheet.field();
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     const Vec3& p = mesh.position(v);  // a linear field: interpolation reproduces it
     field.displacements()[v].v = Vec4d::Lanes{2 * p.x() - p.y(), p.x() + 1, 3 * p.y(), 0};
   }
   CrackOutcome outcome;
-  open_crack(mesh, field, 0, {-std::sin(0.5), std::cos(0.5), 0}, rules, 0, outcome);
+  open_crack(sheet, 0, {-std::sin(0.5), std::cos(0.5), 0}, rules, 0, outcome);
   ASSERT_EQ(outcome.segments.size(), 2u);
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     const Vec3& p = mesh.position(v);

@@ -27,7 +27,7 @@ TEST(CrackNetwork, HasTheLengthOfTheOpenedEdges) {
       if (s.mesh().crack_of(h) < 0) continue;
       open += (s.mesh().position(s.mesh().to(h)) - s.mesh().position(s.mesh().from(h))).norm();
     }
-    const CrackNetwork network = s.network();
+    const CrackNetwork network = crack_network(s);
     double length = 0;
     for (const CrackEdge& e : network.edges) {
       length += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
@@ -38,7 +38,7 @@ TEST(CrackNetwork, HasTheLengthOfTheOpenedEdges) {
 }
 
 TEST(CrackNetwork, EdgesMeetOnlyAtNodesAndNoneIsDoubled) {
-  const CrackNetwork network = finished("plate?n=20&jitter=0.3").network();
+  const CrackNetwork network = crack_network(finished("plate?n=20&jitter=0.3"));
   std::set<std::pair<std::int32_t, std::int32_t>> seen;
   for (const CrackEdge& e : network.edges) {
     EXPECT_NE(e.a, e.b);
@@ -47,7 +47,7 @@ TEST(CrackNetwork, EdgesMeetOnlyAtNodesAndNoneIsDoubled) {
 }
 
 TEST(CrackNetwork, KindsCountTheEdgesThatMeet) {
-  const CrackNetwork network = finished("plate?n=20&jitter=0.3").network();
+  const CrackNetwork network = crack_network(finished("plate?n=20&jitter=0.3"));
   std::vector<int> degree(network.nodes.size());
   for (const CrackEdge& e : network.edges) ++degree[e.a], ++degree[e.b];
   std::map<JunctionKind, int> count;
@@ -68,7 +68,7 @@ TEST(CrackNetwork, KindsCountTheEdgesThatMeet) {
 
 TEST(CrackNetwork, TimesAndEventsGrowWithTheCracks) {
   const Simulation s = finished("sphere?n=6");
-  const CrackNetwork network = s.network();
+  const CrackNetwork network = crack_network(s);
   std::map<std::int32_t, double> time_of;
   for (const CrackEdge& e : network.edges) {
     EXPECT_GE(e.event, 0);
@@ -85,7 +85,7 @@ TEST(CrackNetwork, TimesAndEventsGrowWithTheCracks) {
 
 TEST(CrackNetwork, NodesAndEdgesLieOnTheInputTrianglesTheyName) {
   const std::string shape = "sphere?n=6";
-  const CrackNetwork network = finished(shape).network();
+  const CrackNetwork network = crack_network(finished(shape));
   const TriangleMesh input = test::mesh_of(shape);
   for (const CrackNode& node : network.nodes) {
     const Triangle& t = input.triangle(node.face);
@@ -98,7 +98,7 @@ TEST(CrackNetwork, NodesAndEdgesLieOnTheInputTrianglesTheyName) {
 }
 
 TEST(CrackNetwork, CracksUnderTensionOpen) {
-  const CrackNetwork network = finished("plate?n=20&jitter=0.3").network();
+  const CrackNetwork network = crack_network(finished("plate?n=20&jitter=0.3"));
   int open = 0;
   for (const CrackEdge& e : network.edges) open += e.width > 1e-4;
   EXPECT_GT(open, 0.8 * static_cast<double>(network.edges.size()));
@@ -107,7 +107,7 @@ TEST(CrackNetwork, CracksUnderTensionOpen) {
 TEST(CrackNetwork, OfAnUncrackedSurfaceIsEmpty) {
   SimulationParameters p = test::small_run();
   p.material.toughness = 100;
-  const CrackNetwork network = test::simulation_of("plate?n=4", p).network();
+  const CrackNetwork network = crack_network(test::simulation_of("plate?n=4", p));
   EXPECT_TRUE(network.nodes.empty());
   EXPECT_TRUE(network.edges.empty());
 }

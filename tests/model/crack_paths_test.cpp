@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/model/crack_network.h"
 #include "model/border_angles.h"
 #include "model/runs.h"
 
@@ -23,7 +24,7 @@ TEST(CrackPaths, CracksMeetAFreeBorderAtRightAngles) {
     Simulation s =
         test::simulation_of("plate?n=30&jitter=0.4&seed=" + std::to_string(seed), p, seed);
     s.run({});
-    for (const double angle : test::border_angles(s.network(), reach, 3 * cell)) {
+    for (const double angle : test::border_angles(crack_network(s), reach, 3 * cell)) {
       off += std::abs(angle);
       lean += angle;
       ++count;
@@ -109,7 +110,7 @@ TEST(CrackPaths, ATipThatLooksAheadNeverForksBackward) {
     Simulation s(mesh, fields, p, {});
     s.run({});
     EXPECT_GT(s.events(), 100);
-    return forked_tips(s.network());
+    return forked_tips(crack_network(s));
   };
   EXPECT_GT(forked(0), 0);
   EXPECT_GT(forked(0.1), 0) << "less than its own star tells a tip";

@@ -1,4 +1,4 @@
-#include "craze/model/curvature.h"
+#include "craze/model/sources/curvature.h"
 
 #include <gtest/gtest.h>
 

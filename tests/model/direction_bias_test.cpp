@@ -1,4 +1,4 @@
-#include "craze/model/direction_bias.h"
+#include "craze/model/failure/direction_bias.h"
 
 #include <gtest/gtest.h>
 

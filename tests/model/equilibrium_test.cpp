@@ -1,5 +1,5 @@
 // The fast engine against solving the whole mesh directly after every crack.
-#include "craze/model/equilibrium.h"
+#include "craze/model/relaxation/equilibrium.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "craze/model/crack_network.h"
-#include "craze/model/failure_criterion.h"
+#include "craze/model/failure/failure_criterion.h"
 #include "craze/model/screening.h"
 #include "model/direct_solve.h"
 #include "model/runs.h"
@@ -123,10 +123,10 @@ TEST(Equilibrium, TellsWhetherTheToleranceWasMet) {
 /// looked at after every single crack.
 std::vector<Vec3> exhaustive_sequence(const TriangleMesh& start, const SimulationFields& fields,
                                       const SimulationParameters& p, int events) {
-  TriangleMesh mesh = start;
-  StressField field(mesh, engine_singular_value_cap(mesh, Engine::quasistatic));
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) field.add_stress(mesh, f, fields.stress[f]);
-  field.update_forces(mesh);
+  CrackedSheet sheet =
+      test::sheet_of(start, fields.stress, engine_singular_value_cap(start, Engine::quasistatic));
+  const TriangleMesh& mesh = sheet.mesh();
+  StressField& field = sheet.field();
   FailureCriterion criterion(p.material, process_zone(p.material, p.layer));
   const CrackRules rules{p.crack.snap_angle * std::numbers::pi / 180,
                          p.crack.back_angle * std::numbers::pi / 180, p.crack.near_vertex};
@@ -153,7 +153,7 @@ std::vector<Vec3> exhaustive_sequence(const TriangleMesh& start, const Simulatio
       normal = pair.vector;
     }
     if (next < 0) break;
-    open_crack(mesh, field, next, normal, rules, label, outcome);
+    open_crack(sheet, next, normal, rules, label, outcome);
     arrested.resize(mesh.vertex_count(), 0);
     if (outcome.empty()) {
       arrested[next] = 1;
@@ -188,7 +188,7 @@ TEST(Equilibrium, CracksFollowEachOtherAsWhenEverythingIsSolvedAfterEachOne) {
     s.run({});
     const std::vector<Vec3> expected = exhaustive_sequence(mesh, fields, resolved, events);
     ASSERT_EQ(s.events(), static_cast<std::int64_t>(expected.size()));
-    const CrackNetwork network = s.network();
+    const CrackNetwork network = crack_network(s);
     std::int32_t event = 0;
     for (const CrackEdge& edge : network.edges) {
       if (edge.event != event) continue;

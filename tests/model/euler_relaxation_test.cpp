@@ -1,5 +1,5 @@
 // [IO06] §4.1, Eqs. 3–7, and the energy that the relaxation descends.
-#include "craze/model/euler_relaxation.h"
+#include "craze/model/relaxation/euler_relaxation.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "craze/base/symmetric_eigen.h"
 #include "craze/model/basis_matrix.h"
-#include "craze/model/crack_insertion.h"
-#include "craze/model/separation_tensor.h"
+#include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/failure/separation_tensor.h"
 #include "model/states.h"
 
 namespace craze {
@@ -223,15 +223,17 @@ TEST(EulerRelaxation, ARunOfManyStepsIsAsManyRunsOfOneToSinglePrecision) {
 }
 
 TEST(EulerRelaxation, KeepsUpWithWhatCracksMakeOfTheMesh) {
-  TriangleMesh mesh = mesh_of("plate?n=20&jitter=0.3");
-  StressField field = field_of(mesh, random_stress(mesh, 13), singular_value_cap(mesh));
+  const TriangleMesh start = mesh_of("plate?n=20&jitter=0.3");
+  CrackedSheet sheet = sheet_of(start, random_stress(start, 13), singular_value_cap(start));
+  const TriangleMesh& mesh = sheet.mesh();
+  StressField& field = sheet.field();
   EulerRelaxation at_once(mesh, field, {0.05, 0, 0}), one_by_one(mesh, field, {0.05, 0, 0});
   Random random(5);
   CrackOutcome outcome;
   for (int i = 0; i < 60; ++i) {
     const CrackRules rules{0.436, 0.262, i % 2 == 0 ? NearVertex::snap : NearVertex::slide};
     const auto v = static_cast<std::int32_t>(random.below(mesh.vertex_count()));
-    open_crack(mesh, field, v, test::random_unit(random), rules, i, outcome);
+    open_crack(sheet, v, test::random_unit(random), rules, i, outcome);
     at_once.mesh_changed(mesh, field, outcome.changed_faces, outcome.changed_nodes);
     one_by_one.mesh_changed(mesh, field, outcome.changed_faces, outcome.changed_nodes);
   }

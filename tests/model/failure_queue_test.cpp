@@ -1,4 +1,4 @@
-#include "craze/model/failure_queue.h"
+#include "craze/model/failure/failure_queue.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

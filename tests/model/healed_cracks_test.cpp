@@ -1,4 +1,4 @@
-#include "craze/model/healed_cracks.h"
+#include "craze/model/failure/healed_cracks.h"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,12 @@ namespace {
 constexpr double ratio = 0.4, width = 0.1;
 
 /// A straight crack along x in the plane, of many pieces.
-CrackNetwork straight_crack() {
-  CrackNetwork network;
-  for (int i = 0; i <= 40; ++i) {
-    network.nodes.push_back({Vec3(0.05 * i - 1, 0, 0), Vec3::UnitZ(), 0, JunctionKind::bend});
-    if (i > 0) network.edges.push_back({i - 1, i});
+std::vector<HealedPiece> straight_crack() {
+  std::vector<HealedPiece> pieces;
+  for (int i = 0; i < 40; ++i) {
+    pieces.push_back({Vec3(0.05 * i - 1, 0, 0), Vec3(0.05 * i - 0.95, 0, 0), Vec3::UnitZ()});
   }
-  return network;
+  return pieces;
 }
 
 /// The factor on the strength across a plane, as the header defines it.
@@ -36,10 +35,7 @@ TEST(HealedCracks, AreAsWeakAsTheLayerWasAndTheRestIsStronger) {
 }
 
 TEST(HealedCracks, AreWeakOverTheirWidthWhateverTheirPiecesLength) {
-  CrackNetwork one;
-  one.nodes = {{Vec3(-1, 0, 0), Vec3::UnitZ(), 0, JunctionKind::end},
-               {Vec3(1, 0, 0), Vec3::UnitZ(), 0, JunctionKind::end}};
-  one.edges.push_back({0, 1});
+  const std::vector<HealedPiece> one = {{Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3::UnitZ()}};
   const HealedCracks coarse(one, ratio, width), fine(straight_crack(), ratio, width);
   for (double y = 0; y < 0.3; y += 0.05) {
     const Vec3 p(0.01, y, 0);

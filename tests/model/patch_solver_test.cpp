@@ -1,4 +1,4 @@
-#include "craze/model/patch_solver.h"
+#include "craze/model/relaxation/patch_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ class PatchSolverTest : public ::testing::Test {
 
   /// Every patch solved from the same state, and all their displacements added to it.
   void solve() {
-    const LayerState layer{mesh_, field_, stiffness_, fixed_, kappa, tolerance};
+    const LayerState layer{mesh_, field_, stiffness_, kappa, tolerance};
     std::vector<Vec4d> sum(mesh_.vertex_count());
     for (std::size_t i = 0; i < seeds_.size(); ++i) {
       PatchSolver solver;
@@ -40,7 +40,6 @@ class PatchSolverTest : public ::testing::Test {
   TriangleMesh mesh_ = test::mesh_of("plate?n=24&jitter=0.3");
   StressField field_ = test::field_of(mesh_, test::random_stress(mesh_, 3));
   TangentStiffness stiffness_;
-  std::vector<char> fixed_;
   std::vector<std::vector<std::int32_t>> seeds_;  // by patch
   std::vector<std::int32_t> seed_patch_ = std::vector<std::int32_t>(mesh_.vertex_count(), -1);
   std::vector<std::int32_t> mark_ = seed_patch_;

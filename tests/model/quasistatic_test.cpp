@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "craze/mesh/validate.h"
-#include "craze/model/equilibrium.h"
-#include "craze/model/failure_criterion.h"
+#include "craze/model/failure/failure_criterion.h"
+#include "craze/model/relaxation/equilibrium.h"
 #include "craze/model/screening.h"
 #include "model/runs.h"
 

@@ -1,5 +1,5 @@
 // Fewer steps that end where the Euler steps end.
-#include "craze/model/relaxation_schedule.h"
+#include "craze/model/relaxation/relaxation_schedule.h"
 
 #include <gtest/gtest.h>
 

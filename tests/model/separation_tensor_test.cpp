@@ -1,5 +1,5 @@
 // [IO06] §3.4, Eq. 2.
-#include "craze/model/separation_tensor.h"
+#include "craze/model/failure/separation_tensor.h"
 
 #include <gtest/gtest.h>
 

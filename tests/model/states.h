@@ -11,7 +11,8 @@
 #include "craze/mesh/shapes.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/model/euler_relaxation.h"
+#include "craze/model/cracked_sheet.h"
+#include "craze/model/relaxation/euler_relaxation.h"
 #include "craze/model/stress_field.h"
 
 namespace craze::test {
@@ -54,6 +55,13 @@ inline StressField field_of(const TriangleMesh& mesh, const Sym3& stress, double
   return field_of(mesh, std::vector<Sym3>(mesh.face_count(), stress), cap);
 }
 
+/// The mesh, under such a stress, ready to be cut.
+template <class Stress>
+CrackedSheet sheet_of(TriangleMesh mesh, const Stress& stress, double cap = no_cap) {
+  StressField field = field_of(mesh, stress, cap);
+  return {std::move(mesh), std::move(field)};
+}
+
 /// Lets displacements u (#V) strain every face. Returns, per node, by how much its forces changed.
 inline std::vector<double> displace_all(const TriangleMesh& mesh, StressField& field,
                                         const std::vector<Vec4d>& u) {
@@ -80,8 +88,10 @@ inline double energy(const TriangleMesh& mesh, const StressField& field, double 
 inline void relax(const TriangleMesh& mesh, StressField& field,
                   const EulerRelaxationOptions& options, std::int64_t steps,
                   const std::vector<char>& fixed = {}, int threads = 1) {
+  for (std::size_t v = 0; v < fixed.size(); ++v) {
+    if (fixed[v]) field.hold(static_cast<std::int32_t>(v));
+  }
   EulerRelaxation relaxation(mesh, field, options);
-  relaxation.fixed = fixed;
   relaxation.run(field, mesh, steps, threads);
 }
 

@@ -1,10 +1,10 @@
 // The bound on the eigenvalues of K that makes the accelerated relaxation stable.
-#include "craze/model/stiffness_bound.h"
+#include "craze/model/relaxation/stiffness_bound.h"
 
 #include <gtest/gtest.h>
 
 #include "craze/model/basis_matrix.h"
-#include "craze/model/crack_insertion.h"
+#include "craze/model/cutting/crack_insertion.h"
 #include "model/states.h"
 
 namespace craze {
@@ -47,9 +47,10 @@ TEST(StiffnessBound, LiesAboveTheLargestEigenvalueAndNotFar) {
 }
 
 TEST(StiffnessBound, KeepsUpWithWhateverTheCutsMakeOfTheMesh) {
-  TriangleMesh mesh = test::mesh_of("plate?n=14&jitter=0.3");
   // Uncapped, the slivers that cuts leave are as stiff as they are thin.
-  StressField field(mesh, test::no_cap);
+  CrackedSheet sheet = test::sheet_of(test::mesh_of("plate?n=14&jitter=0.3"), Sym3{}, test::no_cap);
+  const TriangleMesh& mesh = sheet.mesh();
+  const StressField& field = sheet.field();
   StiffnessBound bound;
   bound.update(mesh, field);
   const double uncut = bound.value();
@@ -57,7 +58,7 @@ TEST(StiffnessBound, KeepsUpWithWhateverTheCutsMakeOfTheMesh) {
   CrackOutcome outcome;
   for (int i = 0; i < 300; ++i) {
     const auto v = static_cast<std::int32_t>(random.below(mesh.vertex_count()));
-    open_crack(mesh, field, v, test::random_unit(random), {0.05, 0.05}, i, outcome);
+    open_crack(sheet, v, test::random_unit(random), {0.05, 0.05}, i, outcome);
     bound.update(mesh, field, outcome.changed_nodes);
   }
   StiffnessBound fresh;

@@ -1,9 +1,9 @@
-#include "craze/model/stress_ahead.h"
+#include "craze/model/failure/stress_ahead.h"
 
 #include <gtest/gtest.h>
 
-#include "craze/model/crack_insertion.h"
-#include "craze/model/failure_criterion.h"
+#include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/failure/failure_criterion.h"
 #include "model/analytic_surfaces.h"
 #include "model/states.h"
 
@@ -14,15 +14,15 @@ constexpr CrackRules rules{0.2, 1, NearVertex::snap};
 
 /// Opens a crack through v on planes of one normal, of so many segments either way, and returns its
 /// tips.
-std::vector<std::int32_t> straight_crack(TriangleMesh& mesh, StressField& field, std::int32_t v,
-                                         const Vec3& normal, int segments) {
+std::vector<std::int32_t> straight_crack(CrackedSheet& sheet, std::int32_t v, const Vec3& normal,
+                                         int segments) {
   std::vector<std::int32_t> tips{v};
-  std::int32_t label = mesh.face_count();  // no other crack of the test has it
+  std::int32_t label = sheet.mesh().face_count();  // no other crack of the test has it
   for (int i = 0; i < segments; ++i) {
     std::vector<std::int32_t> next;
     for (const std::int32_t tip : tips) {
       CrackOutcome outcome;
-      open_crack(mesh, field, tip, normal, rules, label, outcome);
+      open_crack(sheet, tip, normal, rules, label, outcome);
       label += static_cast<std::int32_t>(outcome.segments.size());
       next.insert(next.end(), outcome.tips.begin(), outcome.tips.end());
     }
@@ -62,10 +62,11 @@ StressField field_where(const TriangleMesh& mesh, const Sym3& stress, Predicate&
 const Sym3 tension{2, 1, 0, 0.3, 0, 0};
 
 TEST(StressAhead, EvenTensionIsFoundAsItIs) {
-  TriangleMesh mesh = test::plate(20, 1, 0.3);
-  StressField field = test::field_of(mesh, tension);
+  CrackedSheet sheet = test::sheet_of(test::plate(20, 1, 0.3), tension);
+  const TriangleMesh& mesh = sheet.mesh();
+  const StressField& field = sheet.field();
   const std::vector<std::int32_t> tips =
-      straight_crack(mesh, field, node_next_to(mesh, Vec3::Zero()), Vec3::UnitY(), 3);
+      straight_crack(sheet, node_next_to(mesh, Vec3::Zero()), Vec3::UnitY(), 3);
   ASSERT_EQ(tips.size(), 2U);
   StressAhead ahead;
   for (const std::int32_t tip : tips) {
@@ -78,10 +79,10 @@ TEST(StressAhead, EvenTensionIsFoundAsItIs) {
 }
 
 TEST(StressAhead, OnlyWhatIsAheadAndNearCounts) {
-  TriangleMesh mesh = test::plate(20, 1, 0);
-  StressField field = test::field_of(mesh, Sym3{});
+  CrackedSheet sheet = test::sheet_of(test::plate(20, 1, 0), Sym3{});
+  const TriangleMesh& mesh = sheet.mesh();
   const std::vector<std::int32_t> tips =
-      straight_crack(mesh, field, node_next_to(mesh, Vec3::Zero()), Vec3::UnitY(), 2);
+      straight_crack(sheet, node_next_to(mesh, Vec3::Zero()), Vec3::UnitY(), 2);
   ASSERT_EQ(tips.size(), 2U);
   StressAhead ahead;
   for (const std::int32_t tip : tips) {
@@ -101,10 +102,10 @@ TEST(StressAhead, OnlyWhatIsAheadAndNearCounts) {
 }
 
 TEST(StressAhead, NearFacesWeighMore) {
-  TriangleMesh mesh = test::plate(40, 1, 0);
-  StressField field = test::field_of(mesh, Sym3{});
+  CrackedSheet sheet = test::sheet_of(test::plate(40, 1, 0), Sym3{});
+  const TriangleMesh& mesh = sheet.mesh();
   const std::int32_t tip =
-      straight_crack(mesh, field, node_next_to(mesh, Vec3::Zero()), Vec3::UnitY(), 2)[0];
+      straight_crack(sheet, node_next_to(mesh, Vec3::Zero()), Vec3::UnitY(), 2)[0];
   // Of the integral of (1 − r²)² over a half disk, what lies within r = ½: 1 − (3/4)³.
   const StressField near = field_where(mesh, Sym3{1, 0, 0, 0, 0, 0}, [&](const Vec3& p) {
     return (p - mesh.position(tip)).norm() < 0.15;
@@ -113,12 +114,12 @@ TEST(StressAhead, NearFacesWeighMore) {
 }
 
 TEST(StressAhead, NothingBeyondACrackCounts) {
-  TriangleMesh mesh = test::plate(20, 1, 0);
-  StressField field = test::field_of(mesh, Sym3{});
+  CrackedSheet sheet = test::sheet_of(test::plate(20, 1, 0), Sym3{});
+  const TriangleMesh& mesh = sheet.mesh();
   // A wall from border to border, and a crack that ends two edges before it.
-  straight_crack(mesh, field, node_next_to(mesh, {0.25, 0, 0}), Vec3::UnitX(), 12);
+  straight_crack(sheet, node_next_to(mesh, {0.25, 0, 0}), Vec3::UnitX(), 12);
   std::vector<std::int32_t> tips =
-      straight_crack(mesh, field, node_next_to(mesh, Vec3::Zero()), Vec3::UnitY(), 3);
+      straight_crack(sheet, node_next_to(mesh, Vec3::Zero()), Vec3::UnitY(), 3);
   ASSERT_EQ(tips.size(), 2U);
   const std::int32_t tip = mesh.position(tips[0]).x() > 0 ? tips[0] : tips[1];
   ASSERT_NEAR(mesh.position(tip).x(), 0.15, 1e-12);
@@ -131,15 +132,17 @@ TEST(StressAhead, NothingBeyondACrackCounts) {
 }
 
 TEST(StressAhead, OnABentSurfaceStressIsTurnedIntoTheTipsPlane) {
-  TriangleMesh mesh = test::cylinder(48, 1, 0);
-  std::vector<Sym3> hoop(mesh.face_count());
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const Vec3 out = face_normal(mesh, f);
+  const TriangleMesh cylinder = test::cylinder(48, 1, 0);
+  std::vector<Sym3> hoop(cylinder.face_count());
+  for (std::int32_t f = 0; f < cylinder.face_count(); ++f) {
+    const Vec3 out = face_normal(cylinder, f);
     add_outer(hoop[f], 1, Vec3::UnitZ().cross(out));
   }
-  StressField field = test::field_of(mesh, hoop);
+  CrackedSheet sheet = test::sheet_of(cylinder, hoop);
+  const TriangleMesh& mesh = sheet.mesh();
+  const StressField& field = sheet.field();
   const std::vector<std::int32_t> tips =
-      straight_crack(mesh, field, node_next_to(mesh, {1, 0, 0.5}), Vec3::UnitY(), 1);
+      straight_crack(sheet, node_next_to(mesh, {1, 0, 0.5}), Vec3::UnitY(), 1);
   ASSERT_EQ(tips.size(), 2U);
   for (const std::int32_t tip : tips) {
     const Vec3 around = Vec3::UnitZ().cross(field.normals()[tip]);
@@ -149,10 +152,11 @@ TEST(StressAhead, OnABentSurfaceStressIsTurnedIntoTheTipsPlane) {
 }
 
 TEST(StressAhead, IsZeroWhereNoFaceIsNearEnough) {
-  TriangleMesh mesh = test::plate(20, 1, 0);
-  StressField field = test::field_of(mesh, tension);
+  CrackedSheet sheet = test::sheet_of(test::plate(20, 1, 0), tension);
+  const TriangleMesh& mesh = sheet.mesh();
+  const StressField& field = sheet.field();
   const std::int32_t tip =
-      straight_crack(mesh, field, node_next_to(mesh, Vec3::Zero()), Vec3::UnitY(), 2)[0];
+      straight_crack(sheet, node_next_to(mesh, Vec3::Zero()), Vec3::UnitY(), 2)[0];
   EXPECT_EQ(StressAhead().mean(mesh, field, tip, 0.01).matrix().norm(), 0);
 }
 

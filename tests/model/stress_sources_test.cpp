@@ -1,4 +1,4 @@
-#include "craze/model/stress_sources.h"
+#include "craze/model/sources/stress_sources.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "craze/base/error.h"
 #include "craze/mesh/tangent_frame.h"
-#include "craze/model/painted_multiplier.h"
+#include "craze/model/sources/painted_multiplier.h"
 #include "model/analytic_surfaces.h"
 
 namespace craze {

@@ -1,4 +1,4 @@
-#include "craze/model/surface_distance.h"
+#include "craze/model/sources/surface_distance.h"
 
 #include <gtest/gtest.h>
 

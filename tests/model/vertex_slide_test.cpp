@@ -1,4 +1,4 @@
-#include "craze/model/vertex_slide.h"
+#include "craze/model/cutting/vertex_slide.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "craze/mesh/transfer_attributes.h"
 #include "craze/mesh/validate.h"
-#include "craze/model/crack_insertion.h"
+#include "craze/model/cutting/crack_insertion.h"
 #include "model/runs.h"
 #include "model/states.h"
 
@@ -16,28 +16,32 @@ namespace {
 
 /// Slides every vertex that lets itself be slid once, by a random part of a random edge; returns
 /// how many did.
-int slide_many(TriangleMesh& mesh, StressField& field, std::uint64_t seed) {
+int slide_many(CrackedSheet& sheet, std::uint64_t seed) {
+  const TriangleMesh& mesh = sheet.mesh();
   Random random(seed);
   int slid = 0;
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.first_halfedge(v) < 0) continue;
-    if (slide_vertex(mesh, field, mesh.first_halfedge(v), random.uniform(0.05, 0.4))) ++slid;
+    if (slide_vertex(sheet, mesh.first_halfedge(v), random.uniform(0.05, 0.4))) ++slid;
   }
   return slid;
 }
 
 TEST(VertexSlide, InThePlaneTheSurfaceStaysAsItIs) {
-  TriangleMesh mesh = test::mesh_of("plate?n=12&jitter=0.3");
-  StressField field = test::field_of(mesh, {1, 2, 0, 0.5, 0, 0});
+  CrackedSheet sheet =
+      test::sheet_of(test::mesh_of("plate?n=12&jitter=0.3"), Sym3{1, 2, 0, 0.5, 0, 0});
+  const TriangleMesh& mesh = sheet.mesh();
   const double area = mesh.total_area();
-  EXPECT_GT(slide_many(mesh, field, 3), 40);
+  EXPECT_GT(slide_many(sheet, 3), 40);
   EXPECT_TRUE(validate(mesh).empty());
   EXPECT_NEAR(mesh.total_area(), area, 1e-12 * area);
 }
 
 TEST(VertexSlide, LinearDisplacementsStrainTheSurfaceAsBefore) {
-  TriangleMesh mesh = test::mesh_of("plate?n=12&jitter=0.3");
-  StressField field = test::field_of(mesh, {1, 2, 0, 0.5, 0, 0});
+  CrackedSheet sheet =
+      test::sheet_of(test::mesh_of("plate?n=12&jitter=0.3"), Sym3{1, 2, 0, 0.5, 0, 0});
+  const TriangleMesh& mesh = sheet.mesh();
+  StressField& field = sheet.field();
   // u = (0.3 x + 0.1 y, 0.2 y): the same strain everywhere, so forces on borders alone.
   const auto linear = [](const Vec3& p) { return Vec3(0.3 * p.x() + 0.1 * p.y(), 0.2 * p.y(), 0); };
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -46,7 +50,7 @@ TEST(VertexSlide, LinearDisplacementsStrainTheSurfaceAsBefore) {
   }
   test::displace_all(mesh, field, field.displacements());
   const Sym3 expected{1.3, 2.2, 0, 0.55, 0, 0};
-  EXPECT_GT(slide_many(mesh, field, 4), 40);
+  EXPECT_GT(slide_many(sheet, 4), 40);
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     EXPECT_LT(test::distance(field.stress(mesh, f), expected), 1e-12);
   }
@@ -59,22 +63,19 @@ TEST(VertexSlide, LinearDisplacementsStrainTheSurfaceAsBefore) {
 
 TEST(VertexSlide, BordersPinnedVerticesAndFoldsStayWhereTheyAre) {
   TriangleMesh plate = test::mesh_of("plate?n=6");
-  StressField field = test::field_of(plate, Sym3{1, 1, 0, 0, 0, 0});
   for (std::int32_t v = 0; v < plate.vertex_count(); ++v) {
-    const std::int32_t h = plate.first_halfedge(v);
-    if (plate.is_open_vertex(v)) {
-      EXPECT_FALSE(slide_vertex(plate, field, h, 0.2));
-    } else {
-      plate.pin(v);
-      EXPECT_FALSE(slide_vertex(plate, field, h, 0.2));
-    }
+    if (!plate.is_open_vertex(v)) plate.pin(v);
   }
-  TriangleMesh cube = test::mesh_of("cube?n=4");
-  StressField on_cube(cube, test::no_cap);
+  CrackedSheet on_plate = test::sheet_of(plate, Sym3{1, 1, 0, 0, 0, 0});
+  for (std::int32_t v = 0; v < plate.vertex_count(); ++v) {
+    EXPECT_FALSE(slide_vertex(on_plate, plate.first_halfedge(v), 0.2));
+  }
+  CrackedSheet on_cube = test::sheet_of(test::mesh_of("cube?n=4"), Sym3{});
+  const TriangleMesh& cube = on_cube.mesh();
   const std::vector<Vec3> before = cube.positions();
   int slid = 0;
   for (std::int32_t h = 0; h < 3 * cube.face_count(); ++h) {
-    if (slide_vertex(cube, on_cube, h, 0.1)) ++slid;
+    if (slide_vertex(on_cube, h, 0.1)) ++slid;
   }
   EXPECT_GT(slid, 0);
   // Nothing left the sides of the cube.
@@ -85,8 +86,8 @@ TEST(VertexSlide, BordersPinnedVerticesAndFoldsStayWhereTheyAre) {
 TEST(VertexSlide, ACrackRunsStraightPastAVertexThatGivesWay) {
   constexpr double degree = std::numbers::pi / 180;
   for (const double angle : {2.0, 9.0, 17.0, 31.0, 43.0}) {
-    TriangleMesh mesh = test::mesh_of("plate?n=8");
-    StressField field = test::field_of(mesh, Sym3{1, 1, 0, 0, 0, 0});
+    CrackedSheet sheet = test::sheet_of(test::mesh_of("plate?n=8"), Sym3{1, 1, 0, 0, 0, 0});
+    const TriangleMesh& mesh = sheet.mesh();
     std::int32_t middle = 0;
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       if (mesh.position(v).norm() < mesh.position(middle).norm()) middle = v;
@@ -95,7 +96,7 @@ TEST(VertexSlide, ACrackRunsStraightPastAVertexThatGivesWay) {
     const double area = mesh.total_area();
     const Vec3 along(std::cos(angle * degree), std::sin(angle * degree), 0);
     CrackOutcome outcome;
-    open_crack(mesh, field, middle, {-along.y(), along.x(), 0},
+    open_crack(sheet, middle, {-along.y(), along.x(), 0},
                {25 * degree, 15 * degree, NearVertex::slide}, 0, outcome);
     ASSERT_EQ(outcome.segments.size(), 2u) << angle;
     for (const CrackSegment& s : outcome.segments) {

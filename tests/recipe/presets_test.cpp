@@ -1,4 +1,5 @@
 #include "craze/recipe/presets.h"
+#include "craze/model/crack_network.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,8 @@ double leg_angle(const Recipe& recipe) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const test::Cracked cracked = test::crack("plate?n=60&jitter=0.3", recipe, seed);
     const Simulation& s = cracked.simulation;
-    sum += compute_statistics(graph_from_network(s.network(), s.mesh()), options).leg_angle.value;
+    sum +=
+        compute_statistics(graph_from_network(crack_network(s), s.mesh()), options).leg_angle.value;
   }
   return sum / seeds;
 }

@@ -6,6 +6,7 @@
 #include "craze/base/error.h"
 #include "craze/base/random.h"
 #include "craze/engine/initial_fields.h"
+#include "craze/model/crack_network.h"
 #include "craze/model/junction_drift.h"
 
 namespace craze {
@@ -80,10 +81,10 @@ LastCycle run_cycles(const SimulationSurface& surface, const SimulationParameter
     if (last.reason == StopReason::cancelled || last.reason == StopReason::max_cracks) break;
     healed = {};
     if (cycle + 1 < evolution.cycles && evolution.healing < 1) {
-      CrackNetwork cracks = last.simulation->network();
+      CrackNetwork cracks = crack_network(*last.simulation);
       const double drift = evolution.drift * parameters.layer.screening_length;
       if (drift > 0) cracks = drifted(cracks, drift);
-      healed = HealedCracks(cracks, evolution.healing, scar_width);
+      healed = HealedCracks(healed_pieces(cracks), evolution.healing, scar_width);
     }
   }
   return last;

@@ -76,7 +76,7 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   auto state = std::make_shared<CrackedSurface>();
   state->recipe = std::move(run.recipe);
   state->surface = std::move(run.surface.mesh);
-  state->network = run.last.simulation->network();
+  state->network = crack_network(*run.last.simulation);
   state->fragments = find_components(run.last.simulation->mesh());
 
   const Simulation& simulation = *run.last.simulation;

@@ -5,15 +5,16 @@
 #include "craze/base/elementary.h"
 #include "craze/base/error.h"
 #include "craze/base/random.h"
+#include "craze/engine/check_scale.h"
 #include "craze/mesh/feature_lines.h"
 #include "craze/mesh/tangent_frame.h"
-#include "craze/model/correlated_noise.h"
-#include "craze/model/curvature.h"
-#include "craze/model/direction_bias.h"
-#include "craze/model/evolution.h"
-#include "craze/model/input_fields.h"
-#include "craze/model/painted_multiplier.h"
-#include "craze/model/stress_sources.h"
+#include "craze/model/failure/direction_bias.h"
+#include "craze/model/relaxation/relaxation.h"
+#include "craze/model/sources/correlated_noise.h"
+#include "craze/model/sources/curvature.h"
+#include "craze/model/sources/input_fields.h"
+#include "craze/model/sources/painted_multiplier.h"
+#include "craze/model/sources/stress_sources.h"
 
 namespace craze {
 

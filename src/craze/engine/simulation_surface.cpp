@@ -2,8 +2,8 @@
 
 #include "craze/engine/check_scale.h"
 #include "craze/mesh/remesh.h"
-#include "craze/model/input_fields.h"
-#include "craze/model/painted_multiplier.h"
+#include "craze/model/sources/input_fields.h"
+#include "craze/model/sources/painted_multiplier.h"
 
 namespace craze {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "craze/base/elementary.h"
-#include "craze/model/crack_insertion.h"
+#include "craze/model/cutting/crack_insertion.h"
 
 namespace craze {
 
@@ -42,15 +42,14 @@ TriangleMesh star() {
 
 /// A place where a node fails.
 struct Panel {
-  TriangleMesh mesh = star();
-  StressField field{mesh, 100};
+  CrackedSheet sheet{star(), StressField(star(), 100)};
   std::int32_t labels = 0;
 
   /// Opens the plane that runs at `angle`, degrees, through v.
   void fail(std::int32_t v, double angle) {
     const Vec3 normal(-elementary::sin(angle * degree), elementary::cos(angle * degree), 0);
     CrackOutcome outcome;
-    open_crack(mesh, field, v, normal, {snap_angle * degree, back_angle * degree}, labels, outcome);
+    open_crack(sheet, v, normal, {snap_angle * degree, back_angle * degree}, labels, outcome);
     labels += static_cast<std::int32_t>(outcome.segments.size());
   }
 };
@@ -60,7 +59,7 @@ class Drawing {
   void mesh(const Panel& panel, double left, double top) {
     left_ = left + panel_width / 2;
     top_ = top + panel_height / 2;
-    const TriangleMesh& m = panel.mesh;
+    const TriangleMesh& m = panel.sheet.mesh();
     std::vector<Vec2> at;
     at.reserve(m.vertex_count());
     for (std::int32_t v = 0; v < m.vertex_count(); ++v) at.push_back(shown(m, v));

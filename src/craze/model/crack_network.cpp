@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "craze/model/simulation.h"
-
 namespace craze {
 
 namespace {
@@ -23,28 +21,30 @@ struct MeanDisplacement {
 
 }  // namespace
 
-CrackNetwork Simulation::network() const {
+CrackNetwork crack_network(const Simulation& simulation) {
+  const TriangleMesh& mesh = simulation.mesh();
+  const StressField& field = simulation.field();
   CrackNetwork network;
-  const std::int32_t halfedges = 3 * mesh_.face_count();
+  const std::int32_t halfedges = 3 * mesh.face_count();
   std::vector<Side> sides;
-  std::vector<char> on_border(mesh_.vertex_count(), 0);  // by root
+  std::vector<char> on_border(mesh.vertex_count(), 0);  // by root
   for (std::int32_t h = 0; h < halfedges; ++h) {
-    if (!mesh_.is_open(h)) continue;
-    if (mesh_.crack_of(h) >= 0) {
-      sides.push_back({mesh_.crack_of(h), h});
+    if (!mesh.is_open(h)) continue;
+    if (mesh.crack_of(h) >= 0) {
+      sides.push_back({mesh.crack_of(h), h});
     } else {
-      on_border[mesh_.root(mesh_.from(h))] = on_border[mesh_.root(mesh_.to(h))] = 1;
+      on_border[mesh.root(mesh.from(h))] = on_border[mesh.root(mesh.to(h))] = 1;
     }
   }
   std::stable_sort(sides.begin(), sides.end(),
                    [](const Side& a, const Side& b) { return a.label < b.label; });
 
-  std::vector<std::int32_t> node_of_root(mesh_.vertex_count(), -1);
+  std::vector<std::int32_t> node_of_root(mesh.vertex_count(), -1);
   std::vector<std::int32_t> degree;
   const auto node = [&](std::int32_t root) {
     if (node_of_root[root] < 0) {
       node_of_root[root] = static_cast<std::int32_t>(network.nodes.size());
-      network.nodes.push_back({mesh_.position(root), Vec3::Zero(), -1, JunctionKind::bend, root});
+      network.nodes.push_back({mesh.position(root), Vec3::Zero(), -1, JunctionKind::bend, root});
       degree.push_back(0);
     }
     return node_of_root[root];
@@ -52,21 +52,21 @@ CrackNetwork Simulation::network() const {
 
   std::vector<std::pair<double, std::int32_t>> along;  // (position on the segment, root)
   for (std::size_t i = 0; i < sides.size();) {
-    const Segment& segment = segments_[sides[i].label];
+    const OpenedSegment& segment = simulation.opened()[sides[i].label];
     const std::int32_t a = segment.geometry.from_root, b = segment.geometry.to_root;
-    const Vec3& origin = mesh_.position(a);
-    const Vec3 direction = mesh_.position(b) - origin;
+    const Vec3& origin = mesh.position(a);
+    const Vec3 direction = mesh.position(b) - origin;
     along.clear();
     MeanDisplacement left, right;
     std::size_t j = i;
     for (; j < sides.size() && sides[j].label == sides[i].label; ++j) {
-      const std::int32_t from = mesh_.from(sides[j].halfedge), to = mesh_.to(sides[j].halfedge);
-      const Vec3 edge = mesh_.position(to) - mesh_.position(from);
+      const std::int32_t from = mesh.from(sides[j].halfedge), to = mesh.to(sides[j].halfedge);
+      const Vec3 edge = mesh.position(to) - mesh.position(from);
       MeanDisplacement& side = edge.dot(direction) > 0 ? left : right;
-      side.sum += 0.5 * edge.norm() * (field_.displacement(from) + field_.displacement(to));
+      side.sum += 0.5 * edge.norm() * (field.displacement(from) + field.displacement(to));
       side.length += edge.norm();
       for (const std::int32_t v : {from, to}) {
-        along.emplace_back((mesh_.position(v) - origin).dot(direction), mesh_.root(v));
+        along.emplace_back((mesh.position(v) - origin).dot(direction), mesh.root(v));
       }
     }
     i = j;
@@ -87,18 +87,18 @@ CrackNetwork Simulation::network() const {
     }
   }
 
-  for (std::int32_t f = 0; f < mesh_.face_count(); ++f) {
-    const Triangle& t = mesh_.triangle(f);
-    const Vec3& p = mesh_.position(t[0]);
-    const Vec3 normal = (mesh_.position(t[1]) - p).cross(mesh_.position(t[2]) - p);
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const Triangle& t = mesh.triangle(f);
+    const Vec3& p = mesh.position(t[0]);
+    const Vec3 normal = (mesh.position(t[1]) - p).cross(mesh.position(t[2]) - p);
     for (const std::int32_t v : t) {
-      const std::int32_t n = node_of_root[mesh_.root(v)];
+      const std::int32_t n = node_of_root[mesh.root(v)];
       if (n < 0) continue;
       network.nodes[n].normal += normal;
-      network.nodes[n].face = mesh_.source_face(f);
+      network.nodes[n].face = mesh.source_face(f);
     }
   }
-  for (std::int32_t root = 0; root < mesh_.vertex_count(); ++root) {
+  for (std::int32_t root = 0; root < mesh.vertex_count(); ++root) {
     const std::int32_t n = node_of_root[root];
     if (n < 0) continue;
     CrackNode& crack_node = network.nodes[n];
@@ -109,6 +109,16 @@ CrackNetwork Simulation::network() const {
                                        : JunctionKind::junction;
   }
   return network;
+}
+
+std::vector<HealedPiece> healed_pieces(const CrackNetwork& network) {
+  std::vector<HealedPiece> pieces;
+  pieces.reserve(network.edges.size());
+  for (const CrackEdge& e : network.edges) {
+    const CrackNode &a = network.nodes[e.a], &b = network.nodes[e.b];
+    pieces.push_back({a.position, b.position, a.normal + b.normal});
+  }
+  return pieces;
 }
 
 }  // namespace craze

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "craze/base/tensor.h"
+#include "craze/model/failure/healed_cracks.h"
+#include "craze/model/simulation.h"
 
 namespace craze {
 
@@ -37,5 +39,10 @@ struct CrackNetwork {
   std::vector<CrackNode> nodes;
   std::vector<CrackEdge> edges;
 };
+
+CrackNetwork crack_network(const Simulation& simulation);
+
+/// What the edges leave behind where they heal.
+std::vector<HealedPiece> healed_pieces(const CrackNetwork& network);
 
 }  // namespace craze

@@ -7,11 +7,12 @@
 
 #include "craze/base/context.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/model/crack_insertion.h"
-#include "craze/model/crack_network.h"
-#include "craze/model/evolution.h"
-#include "craze/model/failure_watch.h"
+#include "craze/model/cracked_sheet.h"
+#include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/failure/failure_watch.h"
 #include "craze/model/parameters.h"
+#include "craze/model/relaxation/loading.h"
+#include "craze/model/relaxation/relaxation.h"
 #include "craze/model/simulation_fields.h"
 #include "craze/model/stress_field.h"
 
@@ -30,9 +31,17 @@ struct PhaseTimes {
   double relax = 0, separation = 0, crack = 0;
 };
 
+/// One straight piece of crack, as it was opened. What has the label i (TriangleMesh::crack_of) is
+/// a part of the i-th.
+struct OpenedSegment {
+  CrackSegment geometry;
+  double time;         ///< Simulation::time() when it opened
+  std::int32_t event;  ///< the crack event that made it, counted from 0
+};
+
 /// Cracks a mesh. Nodes do not move: the result is the cut mesh, its stress, and when and where
-/// each crack opened. The same mesh, fields and parameters give the same bytes on any number of
-/// threads.
+/// each crack opened. Can be moved: it keeps no pointer into itself. The same mesh, fields and
+/// parameters give the same bytes on any number of threads.
 class Simulation {
  public:
   /// Steps 1 and 2 of the pseudo-code. Throws Error(request) where a field's size is wrong.
@@ -43,56 +52,49 @@ class Simulation {
   /// consistent whenever it returns.
   StopReason run(const Context& context);
 
-  const TriangleMesh& mesh() const { return mesh_; }
+  const TriangleMesh& mesh() const { return sheet_.mesh(); }
   /// σ, F and u at load 1: load_on_field() times these are the state that was reached.
-  const StressField& field() const { return field_; }
+  const StressField& field() const { return sheet_.field(); }
   /// ς of a node without the residual of Eq. 8, at load 1; force.
   Sym3 separation(std::int32_t v) const;
   /// The load factor s (quasistatic), 1 before a load was sought; 1 (euler).
-  double load_on_field() const { return evolution_->load() > 0 ? evolution_->load() : 1; }
+  double load_on_field() const { return loading_->load() > 0 ? loading_->load() : 1; }
   /// The accumulated virtual displacement u of a node at the load that was reached.
-  Vec3 displacement(std::int32_t v) const { return load_on_field() * field_.displacement(v); }
-  CrackNetwork network() const;
+  Vec3 displacement(std::int32_t v) const { return load_on_field() * field().displacement(v); }
+  const std::vector<OpenedSegment>& opened() const { return opened_; }
   /// The time at which each crack label (TriangleMesh::crack_of) opened.
   std::vector<double> crack_times() const;
 
   /// Load factor s (quasistatic); mean tension applied so far over the initial one (euler).
-  double load() const { return evolution_->reported_load(); }
+  double load() const { return loading_->reported_load(); }
   /// What cracks are dated with: s (quasistatic), Δt times the relaxation steps taken (euler).
-  double time() const { return evolution_->time(); }
+  double time() const { return loading_->time(); }
   /// Whether the stress was always as near to equilibrium as evolution.residual asks for.
-  bool met_tolerance() const { return evolution_->met_tolerance(); }
+  bool met_tolerance() const { return relaxation_->met_tolerance(); }
   std::int64_t events() const { return events_; }
-  std::int64_t segments() const { return static_cast<std::int64_t>(segments_.size()); }
-  std::int64_t element_updates() const { return evolution_->element_updates(); }
+  std::int64_t segments() const { return static_cast<std::int64_t>(opened_.size()); }
+  std::int64_t element_updates() const { return relaxation_->element_updates(); }
   const PhaseTimes& times() const { return times_; }
 
  private:
-  struct Segment {
-    CrackSegment geometry;
-    double time;
-    std::int32_t event;
-  };
-
   bool can_continue(const Context& context);
   bool fails_now(std::int32_t v) const;
-  FailureWatch::Scene scene() { return {mesh_, field_, fields_, *evolution_}; }
+  FailureWatch::Scene scene() { return {mesh(), field(), fields_, *loading_, *relaxation_}; }
   void crack_mesh();
   bool crack_at(std::int32_t v);
   void run_on(const Vec3& start, const Vec3& normal, const CrackRules& rules);
-  void hold_new_nodes();
   void evolve(const Context& context);
   void update_failure_criteria(const Context& context);
 
   SimulationParameters parameters_;
   SimulationFields fields_;
-  TriangleMesh mesh_;
-  StressField field_;
-  std::unique_ptr<Evolution> evolution_;
+  CrackedSheet sheet_;
+  std::unique_ptr<Loading> loading_;
+  std::unique_ptr<Relaxation> relaxation_;
   FailureWatch watch_;
   CrackOutcome outcome_, step_;
 
-  std::vector<Segment> segments_;
+  std::vector<OpenedSegment> opened_;
   std::vector<std::int32_t> changed_;  // nodes to be evaluated again
 
   std::int64_t events_ = 0;

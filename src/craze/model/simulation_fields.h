@@ -5,8 +5,8 @@
 
 #include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/model/direction_bias.h"
-#include "craze/model/healed_cracks.h"
+#include "craze/model/failure/direction_bias.h"
+#include "craze/model/failure/healed_cracks.h"
 
 namespace craze {
 

@@ -149,6 +149,11 @@ void StressField::set_adhesion(const TriangleMesh& mesh, std::vector<double> fac
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) update_node_area(mesh, v);
 }
 
+void StressField::hold(std::int32_t v) {
+  held_.resize(forces_.size(), 0);
+  held_[v] = 1;
+}
+
 void StressField::follow(const TriangleMesh& mesh, const TriangleMesh::Split& split,
                          std::int32_t from, std::int32_t to, double t) {
   Vec4d u;
@@ -157,6 +162,11 @@ void StressField::follow(const TriangleMesh& mesh, const TriangleMesh::Split& sp
   normals_.emplace_back(((1 - t) * normals_[from] + t * normals_[to]).normalized());
   forces_.emplace_back();
   node_areas_.push_back(0);
+  if (!held_.empty()) {
+    const std::int32_t h = mesh.first_halfedge(split.vertex);
+    const bool on_border = mesh.is_open(h) && mesh.crack_of(h) < 0;
+    held_.push_back(on_border ? held_[mesh.to(h)] : 0);
+  }
   elements_.resize(mesh.face_count());
   for (int side = 0; side < 2; ++side) {
     if (split.face[side] < 0) continue;
@@ -218,6 +228,7 @@ void StressField::follow(const TriangleMesh& mesh, std::int32_t vertex, std::int
   normals_.push_back(Vec3(normals_[vertex]));
   forces_.emplace_back();
   node_areas_.push_back(0);
+  if (!held_.empty()) held_.push_back(char(held_[vertex]));
   for (const std::int32_t v : {vertex, copy}) {
     update_force(mesh, v);
     update_node_area(mesh, v);

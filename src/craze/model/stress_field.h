@@ -57,6 +57,9 @@ class StressField {
   /// #V, unit normals of the surface at the nodes: area-weighted means of the faces' where the mesh
   /// was when the field was made, and between those of the ends of a split edge.
   const std::vector<Vec3>& normals() const { return normals_; }
+  /// Whether a node is held: nothing that pulls at it moves it.
+  bool is_held(std::int32_t v) const { return !held_.empty() && held_[v] != 0; }
+  void hold(std::int32_t v);
   /// Factors on κ per source face, ≥ 0; copied.
   void set_adhesion(const TriangleMesh& mesh, std::vector<double> factors);
 
@@ -71,6 +74,11 @@ class StressField {
   void displace(const TriangleMesh& mesh, const std::vector<std::int32_t>& faces,
                 const std::vector<std::int32_t>& slot, const std::vector<Vec4d>& shifts,
                 std::vector<double>& drift);
+
+  double singular_value_cap() const { return cap_; }
+
+ private:
+  friend class CrackedSheet;
 
   /// Follows TriangleMesh::split_edge: the halves keep the parent's σ, the new node lies between
   /// the ends of the split edge and takes its u from them. Forces around are updated.
@@ -88,9 +96,6 @@ class StressField {
   void follow_slide(const TriangleMesh& mesh, std::int32_t v, std::int32_t toward, double t,
                     const std::vector<Sym3>& unstrained);
 
-  double singular_value_cap() const { return cap_; }
-
- private:
   Element make_element(const TriangleMesh& mesh, std::int32_t f) const;
   void update_node_area(const TriangleMesh& mesh, std::int32_t v);
 
@@ -101,6 +106,7 @@ class StressField {
   std::vector<Vec4d> displacements_;  // #V
   std::vector<Vec3> normals_;         // #V
   std::vector<double> node_areas_;    // #V
+  std::vector<char> held_;            // #V, or empty: none is
 };
 
 /// [IO06 Eq. 1] The force of an element on its corner 0, 1 or 2.

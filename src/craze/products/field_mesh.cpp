@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "craze/engine/cracked_surface.h"
-#include "craze/model/curvature.h"
-#include "craze/model/separation_tensor.h"
+#include "craze/model/failure/separation_tensor.h"
+#include "craze/model/sources/curvature.h"
 
 namespace craze {
 

@@ -1,4 +1,5 @@
 #include "craze/products/growth/crack_schedule.h"
+#include "craze/model/crack_network.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ namespace {
 
 struct Scheduled {
   Simulation simulation = test::cracked("plate?n=30&jitter=0.3");
-  CrackNetwork network = simulation.network();
+  CrackNetwork network = crack_network(simulation);
   CrackSites sites = crack_sites(simulation.mesh());
   CrackSchedule schedule = crack_schedule(simulation.mesh(), sites, network);
 

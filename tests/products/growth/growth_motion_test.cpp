@@ -1,4 +1,5 @@
 #include "craze/products/growth/growth_motion.h"
+#include "craze/model/crack_network.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ struct Opening {
   OpeningOptions options{.gap = 0.05,
                          .wall = 0.008 * bounding_diagonal(simulation.mesh().positions())};
   CrackSites sites = crack_sites(simulation.mesh());
-  CrackSchedule schedule = crack_schedule(simulation.mesh(), sites, simulation.network());
+  CrackSchedule schedule = crack_schedule(simulation.mesh(), sites, crack_network(simulation));
   OpenedMesh opened = open_cracks(simulation.mesh(), test::displacements(simulation), options, {});
   GrowthMotion motion{simulation.mesh(), sites, schedule, opened};
 

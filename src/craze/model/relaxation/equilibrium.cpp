@@ -1,0 +1,223 @@
+#include "craze/model/relaxation/equilibrium.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+
+#include "craze/base/cell_grid.h"
+#include "craze/base/parallel.h"
+
+namespace craze {
+
+namespace {
+
+// Forces are rounded: a tolerance below that is never reached, and these rounds tell.
+constexpr int most_stalled_rounds = 8;
+// A node with this part of the squared tolerance left is a seed of a patch.
+constexpr double seed_part = 0.25;
+
+/// |F − κ A u|² in the tangent plane; 0 where the node is held.
+double squared_residual(const LayerState& layer, std::int32_t v) {
+  if (layer.field.is_held(v)) return 0;
+  const Vec3 pull = layer.pull(v);
+  const double normal = layer.field.normals()[v].dot(pull);
+  return pull.squaredNorm() - normal * normal;
+}
+
+}  // namespace
+
+double Equilibrium::allow_drift(std::int32_t v, double force) {
+  if (v >= static_cast<std::int32_t>(drift_.size())) {
+    drift_.resize(v + 1, 0);
+    allowed_.resize(v + 1, 0);
+  }
+  drift_[v] = 0;
+  allowed_[v] = std::max(options_.tolerance, force);
+  return allowed_[v];
+}
+
+void Equilibrium::release_memory() {
+  stiffness_ = TangentStiffness(options_.adhesion);
+  patches_ = {};
+  patch_count_ = 0;
+  marks_ = {};
+}
+
+void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
+                          const std::vector<std::int32_t>& changed, const Threads& threads,
+                          std::vector<std::int32_t>& moved) {
+  drift_.resize(mesh.vertex_count(), 0);
+  allowed_.resize(mesh.vertex_count(), 0);
+  slot_.resize(mesh.vertex_count(), -1);
+  if (stiffness_.empty()) {
+    stiffness_.assemble(mesh, field);
+  } else if (static_cast<std::int32_t>(changed.size()) < mesh.vertex_count()) {
+    stiffness_.update(mesh, field, changed, threads);
+  }
+  LayerState layer{mesh, field, stiffness_, options_.adhesion, options_.tolerance};
+  const double allowed = options_.tolerance * options_.tolerance;
+  std::vector<std::int32_t> open;
+  double largest = 0;
+  for (const std::int32_t v : changed) {
+    const double residual = squared_residual(layer, v);
+    if (!(residual > seed_part * allowed)) continue;
+    open.push_back(v);
+    largest = std::max(largest, residual);
+  }
+  double best = std::numeric_limits<double>::infinity();
+  int stalled = 0;
+  double part = 1;  // of the tolerance
+  for (bool again = false; !open.empty() && stalled < most_stalled_rounds; again = true) {
+    const bool gained = largest < 0.5 * best;
+    stalled = gained ? 0 : stalled + 1;
+    if (gained) best = largest;
+    cluster(mesh, open);
+    // What patches that overlap have left adds up, to more than the tolerance where many do. The
+    // first time they are far apart, and what little is left between them goes with them.
+    if (again) part *= 0.5;
+    layer.tolerance = patch_count_ > 1 ? part * options_.tolerance : options_.tolerance;
+    solve(layer, !again || patch_count_ == 1, threads);
+    apply(field, layer, threads);
+    parallel_for(threads, patch_count_, 1, [&](std::size_t i, std::size_t) { review(layer, i); });
+    open.clear();
+    largest = 0;
+    for (std::size_t i = 0; i < patch_count_; ++i) {
+      const Patch& patch = patches_[i];
+      iterations_ += patch.solver.iterations();
+      // A triangulated surface has two faces a node.
+      element_updates_ += 2 * patch.solver.node_updates();
+      moved.insert(moved.end(), patch.moved.begin(), patch.moved.end());
+      open.insert(open.end(), patch.open.begin(), patch.open.end());
+      largest = std::max(largest, patch.largest_residual);
+    }
+    std::sort(open.begin(), open.end());
+    open.erase(std::unique(open.begin(), open.end()), open.end());
+  }
+  if (!open.empty()) met_tolerance_ = false;
+}
+
+void Equilibrium::review(const LayerState& layer, std::size_t index) {
+  Patch& patch = patches_[index];
+  patch.moved.clear();
+  patch.open.clear();
+  patch.largest_residual = 0;
+  const double allowed = options_.tolerance * options_.tolerance;
+  // Where answers overlap, or single precision was not enough, some more may be left to do.
+  for (const std::int32_t v : patch.solver.nodes()) {
+    if (drift_[v] > allowed_[v]) patch.moved.push_back(v);
+    const double residual = squared_residual(layer, v);
+    if (!(residual > allowed)) continue;
+    patch.open.push_back(v);
+    patch.largest_residual = std::max(patch.largest_residual, residual);
+  }
+  for (const std::int32_t v : patch.solver.held()) {
+    if (drift_[v] > allowed_[v]) patch.moved.push_back(v);
+  }
+}
+
+void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds) {
+  const CellGrid grid(2 * options_.reach);
+  std::unordered_map<std::uint64_t, std::vector<std::int32_t>> left;  // seeds, by cell
+  for (const std::int32_t v : seeds) left[grid.key(mesh.position(v))].push_back(v);
+  seed_patch_.resize(mesh.vertex_count(), -1);
+  patch_count_ = 0;
+  for (const std::int32_t first : seeds) {
+    if (seed_patch_[first] >= 0) continue;
+    const auto index = static_cast<std::int32_t>(patch_count_);
+    if (patches_.size() == patch_count_) patches_.emplace_back();
+    Patch& patch = patches_[patch_count_++];
+    patch.seeds.assign(1, first);
+    seed_patch_[first] = index;
+    for (std::size_t i = 0; i < patch.seeds.size(); ++i) {
+      const Vec3& p = mesh.position(patch.seeds[i]);
+      grid.for_each_near(p, options_.reach, [&](std::uint64_t key) {
+        const auto cell = left.find(key);
+        if (cell == left.end()) return;
+        std::vector<std::int32_t>& near = cell->second;
+        near.erase(std::remove_if(near.begin(), near.end(),
+                                  [&](std::int32_t v) {
+                                    if (seed_patch_[v] >= 0) return true;
+                                    const double squared = (mesh.position(v) - p).squaredNorm();
+                                    if (squared > options_.reach * options_.reach) return false;
+                                    seed_patch_[v] = index;
+                                    patch.seeds.push_back(v);
+                                    return true;
+                                  }),
+                   near.end());
+      });
+    }
+  }
+}
+
+void Equilibrium::solve(const LayerState& layer, bool takes_all, const Threads& threads) {
+  const std::size_t workers = std::min(patch_count_, static_cast<std::size_t>(threads.count()));
+  if (marks_.size() < workers) marks_.resize(workers);
+  // Patches differ in size: each worker takes the next one. Which does which changes nothing.
+  std::atomic<std::size_t> next{0};
+  parallel_for(threads, workers, 1, [&](std::size_t worker, std::size_t) {
+    std::vector<std::int32_t>& mark = marks_[worker];
+    mark.resize(layer.mesh.vertex_count(), -1);
+    for (std::size_t i = next++; i < patch_count_; i = next++) {
+      Patch& patch = patches_[i];
+      patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), takes_all, seed_patch_,
+                         mark);
+    }
+  });
+  for (std::size_t i = 0; i < patch_count_; ++i) {
+    for (const std::int32_t v : patches_[i].seeds) seed_patch_[v] = -1;
+  }
+}
+
+void Equilibrium::apply(StressField& field, const LayerState& layer, const Threads& threads) {
+  // Patches that share no node are applied at the same time, the others after each other.
+  group_.resize(layer.mesh.vertex_count(), 0);
+  std::vector<std::size_t> waiting(patch_count_), together, rest;
+  std::iota(waiting.begin(), waiting.end(), std::size_t{0});
+  while (!waiting.empty()) {
+    ++groups_;
+    together.clear();
+    rest.clear();
+    for (const std::size_t i : waiting) {
+      const PatchSolver& solver = patches_[i].solver;
+      const auto is_taken = [&](std::int32_t v) { return group_[v] == groups_; };
+      const bool apart = std::none_of(solver.nodes().begin(), solver.nodes().end(), is_taken) &&
+                         std::none_of(solver.held().begin(), solver.held().end(), is_taken);
+      (apart ? together : rest).push_back(i);
+      if (!apart) continue;
+      for (const std::int32_t v : solver.nodes()) group_[v] = groups_;
+      for (const std::int32_t v : solver.held()) group_[v] = groups_;
+    }
+    parallel_for(threads, together.size(), 1,
+                 [&](std::size_t i, std::size_t) { apply(field, layer, patches_[together[i]]); });
+    waiting = rest;
+  }
+}
+
+void Equilibrium::apply(StressField& field, const LayerState& layer, Patch& patch) {
+  const PatchSolver& solver = patch.solver;
+  const std::int32_t active = solver.active();
+  // A node that has moved keeps its index in `slot_` meanwhile.
+  patch.displacements.resize(active);
+  for (std::int32_t i = 0; i < active; ++i) {
+    const Vec3 d = solver.displacement(layer, i);
+    patch.displacements[i].v = Vec4d::Lanes{d.x(), d.y(), d.z(), 0};
+    field.displacements()[solver.nodes()[i]].v += patch.displacements[i].v;
+    slot_[solver.nodes()[i]] = i;
+  }
+  patch.faces.clear();
+  const auto add_faces = [&](const std::vector<std::int32_t>& nodes) {
+    for (const std::int32_t v : nodes) {
+      const TangentStiffness::Faces own = layer.stiffness.own_faces(v);
+      patch.faces.insert(patch.faces.end(), own.begin(), own.end());
+    }
+  };
+  add_faces(solver.nodes());
+  add_faces(solver.held());
+  field.displace(layer.mesh, patch.faces, slot_, patch.displacements, drift_);
+  for (std::int32_t i = 0; i < active; ++i) slot_[solver.nodes()[i]] = -1;
+}
+
+}  // namespace craze

@@ -1,0 +1,52 @@
+#include "craze/model/relaxation/flow_relaxation.h"
+
+#include <limits>
+
+#include "craze/model/failure/failure_criterion.h"
+#include "craze/model/screening.h"
+
+namespace craze {
+
+namespace {
+
+// A node is moved by a force above this part of that at which nodes fail: far below what any
+// pattern sees, far above rounding.
+constexpr double rest_force = 1e-7;
+// Nothing more can happen once every force is below this part of it.
+constexpr double equilibrium_force = 1e-3;
+
+}  // namespace
+
+FlowRelaxation::FlowRelaxation(const TriangleMesh& mesh, const StressField& field,
+                               const SimulationParameters& parameters)
+    : parameters_(parameters.evolution),
+      failure_force_(typical_failure_force(mesh, parameters.material)),
+      flow_(mesh, field,
+            {parameters.evolution.time_step, adhesion(parameters.layer),
+             rest_force * failure_force_, parameters.engine == Engine::quasistatic}) {}
+
+void FlowRelaxation::mesh_changed(const TriangleMesh&, const CrackOutcome& outcome) {
+  changed_faces_.insert(changed_faces_.end(), outcome.changed_faces.begin(),
+                        outcome.changed_faces.end());
+  changed_nodes_.insert(changed_nodes_.end(), outcome.changed_nodes.begin(),
+                        outcome.changed_nodes.end());
+}
+
+void FlowRelaxation::relax(StressField& field, const TriangleMesh& mesh, double,
+                           const Threads& threads, std::vector<std::int32_t>& changed) {
+  flow_.mesh_changed(mesh, field, changed_faces_, changed_nodes_);
+  changed_faces_.clear();
+  changed_nodes_.clear();
+  flow_.run(field, mesh, parameters_.relaxation_steps, threads);
+  flow_.drifted(changed);
+}
+
+bool FlowRelaxation::at_rest() const {
+  return !(flow_.largest_force() > equilibrium_force * failure_force_);
+}
+
+double FlowRelaxation::independence_distance() const {
+  return parameters_.cracks_per_step > 1 ? 0 : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace craze

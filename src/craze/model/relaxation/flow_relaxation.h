@@ -1,0 +1,32 @@
+// The flow u' = F between two cracks: engine = "euler", the paper's scheme to the letter, and
+// "quasistatic" without adhesion, the same flow in fewer steps.
+#pragma once
+
+#include "craze/base/threads.h"
+#include "craze/model/relaxation/euler_relaxation.h"
+#include "craze/model/relaxation/relaxation.h"
+
+namespace craze {
+
+/// R Euler steps of relaxation.
+class FlowRelaxation : public Relaxation {
+ public:
+  FlowRelaxation(const TriangleMesh& mesh, const StressField& field,
+                 const SimulationParameters& parameters);
+
+  void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) override;
+  void relax(StressField& field, const TriangleMesh& mesh, double load, const Threads& threads,
+             std::vector<std::int32_t>& changed) override;
+  double allow_drift(std::int32_t v, double force) override { return flow_.allow_drift(v, force); }
+  bool at_rest() const override;
+  double independence_distance() const override;
+  std::int64_t element_updates() const override { return flow_.element_updates(); }
+
+ private:
+  EvolutionParameters parameters_;
+  double failure_force_;
+  EulerRelaxation flow_;
+  std::vector<std::int32_t> changed_faces_, changed_nodes_;  // since relax()
+};
+
+}  // namespace craze

@@ -1,0 +1,36 @@
+#include "craze/model/relaxation/growth_loading.h"
+
+namespace craze {
+
+GrowthLoading::GrowthLoading(const EvolutionParameters& parameters, InitialLoad initial)
+    : parameters_(parameters), initial_(std::move(initial)) {}
+
+bool GrowthLoading::grow(StressField& field, const TriangleMesh& mesh) {
+  time_ += parameters_.time_step * static_cast<double>(parameters_.relaxation_steps);
+  if (!grows()) return false;
+  const double c = parameters_.shrinkage;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    Sym3 growth;
+    if (!initial_.growth.empty()) growth = initial_.growth[mesh.source_face(f)];
+    growth += Sym3{c, c, c, 0, 0, 0};
+    field.add_stress(mesh, f, growth);
+  }
+  field.update_forces(mesh);
+  added_tension_ += c;
+  return true;
+}
+
+bool GrowthLoading::advance(double, bool at_rest) {
+  if (grows()) return !reached_max_load();
+  return time_ == 0 || !at_rest;
+}
+
+double GrowthLoading::reported_load() const {
+  return initial_.tension > 0 ? 1 + added_tension_ / initial_.tension : added_tension_;
+}
+
+bool GrowthLoading::reached_max_load() const {
+  return parameters_.shrinkage > 0 && reported_load() >= parameters_.max_load;
+}
+
+}  // namespace craze

@@ -1,0 +1,52 @@
+// How the load on the layer grows, and what cracks are dated with. One class per engine.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "craze/model/parameters.h"
+#include "craze/model/stress_field.h"
+
+namespace craze {
+
+/// The stored stress field is the one at load 1; the true one is load() times it.
+class Loading {
+ public:
+  virtual ~Loading() = default;
+  Loading() = default;
+  Loading(const Loading&) = delete;
+  Loading& operator=(const Loading&) = delete;
+
+  /// Called after each relaxation: adds what grows per step to the field, and keeps the time.
+  /// Returns whether the field has changed, everywhere then.
+  virtual bool grow(StressField& field, const TriangleMesh& mesh) = 0;
+  /// Asked where no node fails at the present load and the next would at `needed` (∞: none ever
+  /// does); `at_rest`: relaxation moves nothing any more. Returns whether to go on, having raised
+  /// the load if that is this engine's way.
+  virtual bool advance(double needed, bool at_rest) = 0;
+
+  /// Factor on the stored stress.
+  virtual double load() const = 0;
+  /// Load up to which failures count as happening now, where they are too far apart to interact.
+  virtual double load_of_step() const { return load(); }
+  /// Factor up to which the load can still grow: nodes that fail below it stay in the queue.
+  virtual double highest_load() const = 0;
+  /// What a crack opening now is dated with: simulated time (euler), the load factor s
+  /// (quasistatic).
+  virtual double time() const = 0;
+  /// Mean tension over the initial one, for the report.
+  virtual double reported_load() const = 0;
+  /// Whether advance() said no because the limit on the load was reached.
+  virtual bool reached_max_load() const = 0;
+};
+
+/// What a Loading starts from.
+struct InitialLoad {
+  double tension = 0;        ///< area mean of tr σ₀ / 2, force/length
+  std::vector<Sym3> growth;  ///< per input face, added per step; or empty
+};
+
+/// The loading of running_engine().
+std::unique_ptr<Loading> make_loading(const SimulationParameters& parameters, InitialLoad initial);
+
+}  // namespace craze

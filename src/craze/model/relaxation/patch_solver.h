@@ -1,0 +1,95 @@
+// Equilibrium around a change: conjugate gradients on a neighbourhood that grows as they need it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "craze/base/simd.h"
+#include "craze/mesh/triangle_mesh.h"
+#include "craze/model/relaxation/tangent_stiffness.h"
+#include "craze/model/stress_field.h"
+
+namespace craze {
+
+/// The layer as the solver reads it.
+struct LayerState {
+  const TriangleMesh& mesh;
+  const StressField& field;
+  const TangentStiffness& stiffness;
+  double adhesion;   ///< κ, 1/length²
+  double tolerance;  ///< largest residual that may stay, force
+
+  /// Asks for what pull() and the residual read, some time before.
+  void prefetch(std::int32_t v) const {
+    __builtin_prefetch(&field.forces()[v]);
+    __builtin_prefetch(&field.displacements()[v]);
+    __builtin_prefetch(&field.normals()[v]);
+    __builtin_prefetch(&field.node_areas()[v]);
+  }
+  /// F − κ A u: what pulls at a node, force; its normal part is borne by what lies under the layer.
+  Vec3 pull(std::int32_t v) const {
+    return field.force(v) - adhesion * field.node_areas()[v] * field.displacement(v);
+  }
+};
+
+/// Solves (K + κ M) x = F − κ M u near a few nodes, in single precision, by conjugate gradients
+/// with the 2x2 diagonal blocks as preconditioner. Each iteration of that method reaches one ring
+/// of neighbours further; here a ring is only taken in while the residual on it matters, so that a
+/// solve costs what the change needs, whatever the mesh. Storage is kept from solve to solve.
+class PatchSolver {
+ public:
+  /// Solves until no residual is above half the tolerance, or as far as single precision goes; only
+  /// the forces themselves tell what is left. The problem is linear, so changes in different places
+  /// may be solved apart and their answers added, however near they are, as long as each residual
+  /// is in one of them: `seed_patch` (#V) says which patch a node is a seed of (−1: none). The
+  /// residual of another's seed counts as zero; that of a node that is nobody's is taken up too
+  /// where the patch `takes_all`, which patches that overlap must not do again and again. `mark`
+  /// (#V, −1 everywhere, and again at the end) is scratch.
+  void solve(const LayerState& layer, const std::vector<std::int32_t>& seeds, std::int32_t patch,
+             bool takes_all, const std::vector<std::int32_t>& seed_patch,
+             std::vector<std::int32_t>& mark);
+
+  /// Nodes read, by rings around the seeds.
+  const std::vector<std::int32_t>& nodes() const { return nodes_; }
+  /// How many of them have moved: the first ones.
+  std::int32_t active() const { return active_; }
+  /// Fixed nodes next to those.
+  const std::vector<std::int32_t>& held() const { return held_; }
+  /// The displacement of nodes()[i], length.
+  Vec3 displacement(const LayerState& layer, std::int32_t i) const;
+  std::int64_t iterations() const { return iterations_; }
+  /// Sum over the iterations of the nodes read.
+  std::int64_t node_updates() const { return node_updates_; }
+
+ private:
+  struct Task {
+    const LayerState& layer;
+    std::int32_t patch;
+    bool takes_all;
+    const std::vector<std::int32_t>& seed_patch;
+    std::vector<std::int32_t>& mark;  // of a node read: its index in nodes_
+  };
+
+  void clear();
+  void join(const Task& task, std::int32_t v);
+  void read_residuals(const Task& task);
+  void load_rows(const Task& task);
+  void activate();
+
+  double scale_ = 1;  // of forces: the tolerance or more
+  std::int64_t iterations_ = 0, node_updates_ = 0;
+
+  // Of the nodes, [0, active_) may move, [active_, loaded_) is the ring whose residual is watched,
+  // and those after are its neighbours.
+  std::int32_t active_ = 0, loaded_ = 0;
+  std::int32_t residuals_ = 0;  // nodes whose residual was read
+  std::vector<std::int32_t> nodes_, held_;
+  std::vector<std::int32_t> row_begin_, columns_;
+  std::vector<Vec4f> blocks_;  // an even number in each row
+  // Two numbers a node, and a multiple of four nodes; zero where a node is not active.
+  std::vector<float> x_, r_, z_, p_, q_;
+  std::vector<float> inverse_diagonal_, inverse_off_diagonal_;  // of the 2x2 blocks
+};
+
+}  // namespace craze
