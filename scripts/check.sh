@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 export LC_ALL=C.UTF-8 CTEST_OUTPUT_ON_FAILURE=1
 fuzz_seconds=${CRAZE_FUZZ_SECONDS:-10}  # per target
 
-all=(packages format release example libcxx asan fuzz tsan tidy)
+all=(packages format release example bytes libcxx asan fuzz tsan tidy)
 
 step_packages() { scripts/install-deps.sh --dev; }
 step_format() { git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run --Werror; }
@@ -18,6 +18,8 @@ step_release() {
 }
 # What the README says first.
 step_example() { scripts/readme_example.sh; }
+# The same bytes from every compiler and instruction set; after "release".
+step_bytes() { scripts/compare_builds.sh; }
 step_libcxx() { scripts/check_libcxx.sh; }
 # All tests, with AddressSanitizer and UndefinedBehaviorSanitizer.
 step_asan() { cmake --workflow --preset asan; }

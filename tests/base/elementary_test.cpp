@@ -236,7 +236,7 @@ TEST(ElementaryFunctions, GiveTheSameBitsOnEveryMachine) {
     for (double (*f)(double) : {&exp, &log, &sin, &cos, &tan, &asin, &erf}) add(f(x));
     for (double (*f)(double, double) : {&atan2, &hypot, &pow}) add(f(x, near)), add(f(positive, x));
   }
-  EXPECT_EQ(hash, 0x7fe8c77b11407df4ull);
+  EXPECT_EQ(hash, 0x543da553f6a7783eull);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // Angles and lengths of vectors in the plane.
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 
 #include "craze/base/double_double.h"
 #include "craze/base/elementary.h"
+#include "craze/base/polynomial.h"
 
 namespace craze::elementary {
 
@@ -43,8 +43,8 @@ DoubleDouble first_octant(double small, double big) {
   below.low += across.low;
   const DoubleDouble t = quotient(two_sum(small - down.high, -down.low), below);
   const double z = t.high * t.high;
-  double tail = -1. / 15;
-  for (const double a : {1. / 13, -1. / 11, 1. / 9, -1. / 7, 1. / 5, -1. / 3}) tail = tail * z + a;
+  constexpr double terms[] = {-1. / 3, 1. / 5, -1. / 7, 1. / 9, -1. / 11, 1. / 13, -1. / 15};
+  const double tail = polynomial(z, terms);
   return sum(arctan_of_eighths[k], fast_two_sum(t.high, t.low + t.high * z * tail));
 }
 

@@ -1,5 +1,7 @@
 // The error function.
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 #include "craze/base/elementary.h"
 
@@ -67,12 +69,14 @@ double erf(double x) {
   const double c = 0.125 * k, h = size - c;
   // Taylor's series about c: exp(−(c+h)²) = exp(−c²) Σ aₙ hⁿ with
   // aₙ₊₁ = −2 (c aₙ + aₙ₋₁) / (n + 1), integrated term by term.
-  constexpr int terms = 15;
+  constexpr double inverses[] = {1.,      1. / 2,  1. / 3,  1. / 4,  1. / 5,
+                                 1. / 6,  1. / 7,  1. / 8,  1. / 9,  1. / 10,
+                                 1. / 11, 1. / 12, 1. / 13, 1. / 14, 1. / 15};
   double before = 0, a = 1, power = h, tail = 0;
-  for (int n = 1; n < terms; ++n) {
-    const double next = -2 * (c * a + before) / n;
+  for (std::size_t n = 1; n < std::size(inverses); ++n) {
+    const double next = -2 * (c * a + before) * inverses[n - 1];
     before = a, a = next;
-    tail += a * power / (n + 1);
+    tail += a * power * inverses[n];
     power *= h;
   }
   constexpr double two_per_root_pi = 0x1.20dd750429b6dp+0;

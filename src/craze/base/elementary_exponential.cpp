@@ -2,11 +2,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <initializer_list>
 #include <limits>
 
 #include "craze/base/double_double.h"
 #include "craze/base/elementary.h"
+#include "craze/base/polynomial.h"
 
 namespace craze::elementary {
 
@@ -40,12 +40,10 @@ double exp_of(const DoubleDouble& x) {
   const double k = std::floor(x.high * per_ln2 + 0.5);
   const DoubleDouble r = two_sum(x.high - k * ln2_high, x.low - k * ln2_low);
   // eʳ − 1 − r, by Taylor's series.
-  double tail = 1. / 6227020800;
-  for (const double c : {1. / 479001600, 1. / 39916800, 1. / 3628800, 1. / 362880, 1. / 40320,
-                         1. / 5040, 1. / 720, 1. / 120, 1. / 24, 1. / 6, 1. / 2}) {
-    tail = tail * r.high + c;
-  }
-  tail *= r.high * r.high;
+  constexpr double inverse_factorials[] = {
+      1. / 2,     1. / 6,      1. / 24,      1. / 120,      1. / 720,       1. / 5040,
+      1. / 40320, 1. / 362880, 1. / 3628800, 1. / 39916800, 1. / 479001600, 1. / 6227020800};
+  const double tail = r.high * r.high * polynomial(r.high, inverse_factorials);
   const DoubleDouble head = fast_two_sum(1, r.high);
   const double power = head.high + (head.low + (tail + (r.low + r.low * r.high)));
   return scaled(power, static_cast<int>(k));
@@ -65,12 +63,9 @@ Split split(double x) {
 
 /// 1/5 + z/7 + z²/9 + …, for z < 0.0295: of artanh s = s + s z (1/3 + z (1/5 + …)), z = s².
 double artanh_tail(double z) {
-  // Two chains at once: even and odd powers.
-  const double w = z * z;
-  double even = 1. / 25, odd = 1. / 23;
-  for (const double c : {1. / 21, 1. / 17, 1. / 13, 1. / 9, 1. / 5}) even = even * w + c;
-  for (const double c : {1. / 19, 1. / 15, 1. / 11, 1. / 7}) odd = odd * w + c;
-  return even + z * odd;
+  constexpr double inverse_odds[] = {1. / 5,  1. / 7,  1. / 9,  1. / 11, 1. / 13, 1. / 15,
+                                     1. / 17, 1. / 19, 1. / 21, 1. / 23, 1. / 25};
+  return polynomial(z, inverse_odds);
 }
 
 /// ln x for finite x > 0, to about 2⁻⁶⁴ of it.

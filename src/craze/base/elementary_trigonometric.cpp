@@ -2,11 +2,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
 #include <limits>
 
 #include "craze/base/double_double.h"
 #include "craze/base/elementary.h"
+#include "craze/base/polynomial.h"
 
 namespace craze::elementary {
 
@@ -108,21 +108,19 @@ Reduced reduce(double x) {
 /// By Taylor's series, for |x| ≤ π/4; the sum of the parts is not rounded.
 DoubleDouble sin_near_zero(const DoubleDouble& x) {
   const double r = x.high, z = r * r;
-  double tail = 1. / 355687428096000;
-  for (const double c : {-1. / 1307674368000, 1. / 6227020800, -1. / 39916800, 1. / 362880,
-                         -1. / 5040, 1. / 120, -1. / 6}) {
-    tail = tail * z + c;
-  }
+  constexpr double terms[] = {
+      -1. / 6,        1. / 120,        -1. / 5040,          1. / 362880,
+      -1. / 39916800, 1. / 6227020800, -1. / 1307674368000, 1. / 355687428096000};
+  const double tail = polynomial(z, terms);
   return fast_two_sum(r, r * z * tail + x.low * (1 - 0.5 * z));
 }
 
 DoubleDouble cos_near_zero(const DoubleDouble& x) {
   const double r = x.high, z = r * r;
-  double tail = -1. / 6402373705728000;
-  for (const double c : {1. / 20922789888000, -1. / 87178291200, 1. / 479001600, -1. / 3628800,
-                         1. / 40320, -1. / 720, 1. / 24}) {
-    tail = tail * z + c;
-  }
+  constexpr double terms[] = {
+      1. / 24,        -1. / 720,         1. / 40320,          -1. / 3628800,
+      1. / 479001600, -1. / 87178291200, 1. / 20922789888000, -1. / 6402373705728000};
+  const double tail = polynomial(z, terms);
   const DoubleDouble head = fast_two_sum(1, -0.5 * z);
   return fast_two_sum(head.high, head.low + (z * z * tail - r * x.low));
 }

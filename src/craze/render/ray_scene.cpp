@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <limits>
 #include <new>
 
@@ -10,6 +11,8 @@ namespace craze::render {
 struct RayScene::Handles {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  const float* vertices = nullptr;         // three numbers each; the scene's own
+  const std::uint32_t* corners = nullptr;  // three a face
   ~Handles() {
     if (scene) rtcReleaseScene(scene);
     if (device) rtcReleaseDevice(device);
@@ -44,7 +47,9 @@ void load(const RayScene::Rays& rays, Packet& packet, Mask& valid) {
 
 RayScene::RayScene(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles)
     : handles_(std::make_unique<Handles>()) {
-  handles_->device = rtcNewDevice(nullptr);
+  // One instruction set, which every machine has: with another, rays along an edge meet another
+  // face.
+  handles_->device = rtcNewDevice("isa=sse2");
   if (!handles_->device) throw std::bad_alloc();
   handles_->scene = rtcNewScene(handles_->device);
   rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
@@ -58,6 +63,8 @@ RayScene::RayScene(const std::vector<Vec3>& positions, const std::vector<Triangl
     rtcReleaseGeometry(geometry);
     throw std::bad_alloc();
   }
+  handles_->vertices = vertices;
+  handles_->corners = corners;
   for (const Vec3& p : positions) {
     for (int k = 0; k < 3; ++k) *vertices++ = static_cast<float>(p[k]);
   }
@@ -72,6 +79,27 @@ RayScene::RayScene(const std::vector<Vec3>& positions, const std::vector<Triangl
 
 RayScene::~RayScene() = default;
 
+// Embree finds the face. Where the ray meets it, it works out from approximate reciprocals, which
+// are each maker's own: that is done here.
+Hit RayScene::hit_on(const Ray& ray, std::int32_t face) const {
+  const auto corner = [&](int k) -> Vec3 {
+    const float* p = handles_->vertices + 3 * handles_->corners[3 * face + k];
+    return {p[0], p[1], p[2]};
+  };
+  const Vec3 a = corner(0), ab = corner(1) - a, ac = corner(2) - a;
+  const Vec3 direction = ray.direction.cast<double>();
+  const Vec3 from_a = ray.origin.cast<double>() - a;
+  const Vec3 across = direction.cross(ac), around = from_a.cross(ab);
+  const double volume = ab.dot(across);
+  double u = 1. / 3, v = u;
+  if (volume != 0) {  // not seen edge-on
+    u = std::clamp(from_a.dot(across) / volume, 0.0, 1.0);
+    v = std::clamp(direction.dot(around) / volume, 0.0, 1 - u);
+  }
+  const double distance = (u * ab + v * ac - from_a).dot(direction) / direction.squaredNorm();
+  return {face, static_cast<float>(distance), static_cast<float>(u), static_cast<float>(v)};
+}
+
 void RayScene::intersect(const Rays& rays, Hits& hits) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -83,9 +111,7 @@ void RayScene::intersect(const Rays& rays, Hits& hits) const {
   rtcIntersect16(valid.data(), handles_->scene, &context, &packet);
   for (int i = 0; i < lanes; ++i) {
     const bool hit = rays[i].active && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
-    hits[i] = hit ? Hit{static_cast<std::int32_t>(packet.hit.primID[i]), packet.ray.tfar[i],
-                        packet.hit.u[i], packet.hit.v[i]}
-                  : Hit{};
+    hits[i] = hit ? hit_on(rays[i], static_cast<std::int32_t>(packet.hit.primID[i])) : Hit{};
   }
 }
 
@@ -108,7 +134,7 @@ Hit RayScene::intersect(const Ray& ray) const {
   r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(handles_->scene, &context, &r);
   if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return {static_cast<std::int32_t>(r.hit.primID), r.ray.tfar, r.hit.u, r.hit.v};
+  return hit_on(ray, static_cast<std::int32_t>(r.hit.primID));
 }
 
 void RayScene::occluded(const Rays& rays, Flags& hit) const {

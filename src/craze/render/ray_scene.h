@@ -45,6 +45,9 @@ class RayScene {
 
  private:
   struct Handles;
+  /// Where the ray meets the face that it is known to meet.
+  Hit hit_on(const Ray& ray, std::int32_t face) const;
+
   std::unique_ptr<Handles> handles_;
 };
 
