@@ -119,10 +119,11 @@ CRAZE_API const char *craze_mesh_material_name(const craze_mesh *mesh, int64_t i
 /* Writes .ply .obj .stl .glb: the whole file or none. */
 CRAZE_API craze_status craze_mesh_write(const craze_mesh *mesh, const char *path,
                                         craze_error *error);
-/* The parts of a cracked mesh, one at a time, by its face attribute "fragment". Free with
- * craze_mesh_free. */
+/* The parts of a cracked mesh by its face attribute "fragment": how many there are (-1 where it has
+ * none), and as many handles, to be freed one by one. */
 CRAZE_API int64_t craze_mesh_fragment_count(const craze_mesh *mesh, craze_error *error);
-CRAZE_API craze_mesh *craze_mesh_fragment(const craze_mesh *mesh, int64_t i, craze_error *error);
+CRAZE_API craze_status craze_mesh_fragments(const craze_mesh *mesh, craze_mesh **pieces,
+                                            int64_t count, craze_error *error);
 
 /* ---- A run ------------------------------------------------------------------------------- */
 

@@ -1,0 +1,43 @@
+// What stands behind the opaque handles of craze.h.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "craze/craze.h"
+#include "craze/engine/engine.h"
+#include "craze/mesh/surface_mesh.h"
+#include "craze/products/products.h"
+#include "craze/recipe/recipe.h"
+
+struct craze_mesh {
+  std::shared_ptr<craze::SurfaceMesh> mesh;
+  std::vector<std::string> names;  // of its arrays
+
+  explicit craze_mesh(craze::SurfaceMesh given);
+};
+
+struct craze_lines {
+  craze::LineSet lines;
+};
+
+struct craze_job {
+  std::shared_ptr<const craze::SurfaceMesh> mesh;
+  craze::Textures textures;
+  craze::Recipe recipe;
+  craze::CrackOptions options;
+  int threads = 0;
+  craze_progress progress = nullptr;
+  void* user = nullptr;
+  std::optional<craze::Result> result;
+};
+
+struct craze_opening {
+  craze::Opening opening;
+  std::optional<craze::GrowthClip> clip;  // made when the first position is asked for
+};

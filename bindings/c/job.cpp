@@ -1,0 +1,113 @@
+// A run of the interface: what is cracked, how, and the run itself.
+#include <nlohmann/json.hpp>
+
+#include "craze/recipe/presets.h"
+#include "guard.h"
+#include "handles.h"
+#include "job_context.h"
+
+using namespace craze;
+using namespace craze::c;
+
+craze_job* craze_job_new(void) {
+  return guarded(nullptr, [] { return new craze_job; });
+}
+
+void craze_job_free(craze_job* job) {
+  delete job;
+}
+
+craze_status craze_job_set_mesh(craze_job* job, const craze_mesh* mesh, craze_error* error) {
+  return guard(error, [&] {
+    require(job, "job");
+    require(mesh, "mesh");
+    job->mesh = mesh->mesh;
+  });
+}
+
+craze_status craze_job_set_texture(craze_job* job, const char* name, const float* pixels,
+                                   int64_t width, int64_t height, craze_error* error) {
+  return guard(error, [&] {
+    require(job, "job");
+    require(name, "name");
+    require(pixels, "pixels");
+    constexpr int64_t longest = 16384;
+    if (width < 1 || height < 1 || width > longest || height > longest) {
+      throw Error(ErrorKind::usage, "wrong size of a picture", name,
+                  "its sides must be 1 to 16384 pixels");
+    }
+    GreyImage image;
+    image.width = static_cast<std::int32_t>(width);
+    image.height = static_cast<std::int32_t>(height);
+    image.pixels.assign(pixels, pixels + width * height);
+    job->textures[name] = std::move(image);
+  });
+}
+
+craze_status craze_job_set_preset(craze_job* job, const char* preset, craze_error* error) {
+  return guard(error, [&] {
+    require(job, "job");
+    require(preset, "preset");
+    job->recipe = read_preset(preset);
+  });
+}
+
+craze_status craze_job_set_recipe(craze_job* job, const char* text, const char* name,
+                                  craze_error* error) {
+  return guard(error, [&] {
+    require(job, "job");
+    require(text, "text");
+    job->recipe = read_recipe(text, name ? name : "recipe");
+  });
+}
+
+craze_status craze_job_set(craze_job* job, const char* key, const char* value, craze_error* error) {
+  return guard(error, [&] {
+    require(job, "job");
+    require(key, "key");
+    require(value, "value");
+    apply_set(job->recipe, std::string(key) + "=" + value);
+  });
+}
+
+char* craze_job_recipe(const craze_job* job, craze_error* error) {
+  return guarded(error, [&] {
+    require(job, "job");
+    return copy_text(recipe_to_json(job->recipe).dump());
+  });
+}
+
+craze_status craze_job_set_threads(craze_job* job, int threads, craze_error* error) {
+  return guard(error, [&] {
+    require(job, "job");
+    if (threads < 0 || threads > Threads::max_count) {
+      wrong_argument("wrong number of threads", "threads", "0 (one per core) to 1024");
+    }
+    job->threads = threads;
+  });
+}
+
+craze_status craze_job_set_max_cracks(craze_job* job, int64_t max_cracks, craze_error* error) {
+  return guard(error, [&] {
+    require(job, "job");
+    job->options.max_cracks.reset();
+    if (max_cracks >= 0) job->options.max_cracks = max_cracks;
+  });
+}
+
+void craze_job_set_progress(craze_job* job, craze_progress progress, void* user) {
+  if (!job) return;
+  job->progress = progress;
+  job->user = user;
+}
+
+craze_status craze_job_run(craze_job* job, craze_error* error) {
+  return guard(error, [&] {
+    require(job, "job");
+    if (!job->mesh) wrong_argument("nothing to crack", "craze_job_run", "set a mesh first");
+    CrackOptions options = job->options;
+    options.on_cancel = OnCancel::discard;
+    const JobContext context(*job);
+    job->result = crack({job->mesh, job->textures, "mesh"}, job->recipe, options, context.get());
+  });
+}

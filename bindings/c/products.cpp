@@ -1,0 +1,161 @@
+// What comes out of a run of the interface.
+#include <limits>
+#include <utility>
+
+#include "guard.h"
+#include "handles.h"
+#include "job_context.h"
+
+using namespace craze;
+using namespace craze::c;
+
+namespace {
+
+const Result& result_of(const craze_job* job) {
+  require(job, "job");
+  if (!job->result) wrong_argument("nothing to show", "job", "craze_job_run() comes first");
+  return *job->result;
+}
+
+constexpr std::string_view point_prefix = "point:", edge_prefix = "edge:";
+
+void view_line_attribute(craze_array& view, const std::vector<Attribute>& attributes,
+                         const std::string& name) {
+  const Attribute* a = find_attribute(attributes, name);
+  if (!a) throw Error(ErrorKind::usage, "no such array", name, "the lines have no such attribute");
+  view = {a->values.data(), static_cast<int64_t>(a->values.size()) / a->components, a->components,
+          CRAZE_FLOAT64};
+}
+
+void view_lines(craze_array& view, const LineSet& lines, std::string_view name) {
+  const auto rows = [](const auto& values) { return static_cast<int64_t>(values.size()); };
+  if (name == "points") {
+    view = {lines.points.data(), rows(lines.points), 3, CRAZE_FLOAT64};
+  } else if (name == "edges") {
+    view = {lines.edges.data(), rows(lines.edges), 2, CRAZE_INT32};
+  } else if (name == "uv") {
+    view = {lines.uvs.data(), rows(lines.uvs), 2, CRAZE_FLOAT64};
+  } else if (name.substr(0, point_prefix.size()) == point_prefix) {
+    view_line_attribute(view, lines.point_attributes,
+                        std::string(name.substr(point_prefix.size())));
+  } else if (name.substr(0, edge_prefix.size()) == edge_prefix) {
+    view_line_attribute(view, lines.edge_attributes, std::string(name.substr(edge_prefix.size())));
+  } else {
+    throw Error(ErrorKind::usage, "no such array", std::string(name),
+                "points, edges, uv, point:NAME and edge:NAME are there");
+  }
+}
+
+LineSet line_set(const double* points, int64_t p, const int32_t* edges, int64_t e,
+                 const double* time) {
+  constexpr int64_t most = std::numeric_limits<int32_t>::max();
+  if (p < 0 || e < 0 || p > most || e > most) {
+    wrong_argument("wrong size", "craze_statistics", "0 to 2147483647 points and edges fit");
+  }
+  if (p > 0) require(points, "points");
+  if (e > 0) require(edges, "edges");
+  LineSet lines;
+  for (int64_t i = 0; i < p; ++i) {
+    lines.points.emplace_back(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+    if (!lines.points.back().allFinite()) {
+      wrong_argument("wrong point", std::to_string(i).c_str(), "it is not finite");
+    }
+  }
+  for (int64_t i = 0; i < e; ++i) {
+    const int32_t a = edges[2 * i], b = edges[2 * i + 1];
+    if (a < 0 || b < 0 || a >= p || b >= p) {
+      wrong_argument("wrong edge", std::to_string(i).c_str(), "its points are not there");
+    }
+    lines.edges.push_back({a, b});
+  }
+  if (time) lines.edge_attributes.push_back({"time", 1, {time, time + e}});
+  return lines;
+}
+
+}  // namespace
+
+craze_mesh* craze_job_cut_mesh(const craze_job* job, craze_error* error) {
+  return guarded(error, [&] {
+    const Result& result = result_of(job);
+    return new craze_mesh(cut_mesh(result, JobContext(*job).get()));
+  });
+}
+
+craze_lines* craze_job_lines(const craze_job* job, craze_error* error) {
+  return guarded(error, [&] { return new craze_lines{crack_lines(result_of(job))}; });
+}
+
+craze_status craze_lines_array(const craze_lines* lines, const char* name, craze_array* array,
+                               craze_error* error) {
+  return guard(error, [&] {
+    require(lines, "lines");
+    require(name, "name");
+    require(array, "array");
+    view_lines(*array, lines->lines, name);
+  });
+}
+
+void craze_lines_free(craze_lines* lines) {
+  delete lines;
+}
+
+char* craze_job_report(const craze_job* job, craze_error* error) {
+  return guarded(error, [&] { return copy_text(report_json(result_of(job))); });
+}
+
+char* craze_job_statistics(const craze_job* job, craze_error* error) {
+  return guarded(error, [&] { return copy_text(statistics_json(result_of(job))); });
+}
+
+char* craze_statistics(const double* points, int64_t p, const int32_t* edges, int64_t e,
+                       const double* time, double simplify, craze_error* error) {
+  return guarded(error, [&] {
+    if (!(simplify >= 0)) wrong_argument("wrong length", "simplify", "must be 0 or more");
+    return copy_text(statistics_json(line_set(points, p, edges, e, time), simplify));
+  });
+}
+
+craze_opening* craze_job_open(const craze_job* job, double gap, double wall, double curl,
+                              craze_error* error) {
+  return guarded(error, [&] {
+    const Result& result = result_of(job);
+    PostParameters post;
+    post.gap = gap;
+    post.wall = wall;
+    post.curl = curl;
+    return new craze_opening{Opening(result, post, JobContext(*job).get()), {}};
+  });
+}
+
+void craze_opening_free(craze_opening* opening) {
+  delete opening;
+}
+
+craze_mesh* craze_opening_mesh(const craze_opening* opening, craze_error* error) {
+  return guarded(error, [&] {
+    require(opening, "opening");
+    return new craze_mesh(opening->opening.mesh());
+  });
+}
+
+const char* craze_opening_warning(const craze_opening* opening, int64_t i) {
+  if (!opening || i < 0 || i >= static_cast<int64_t>(opening->opening.warnings().size())) {
+    return nullptr;
+  }
+  return opening->opening.warnings()[static_cast<std::size_t>(i)].c_str();
+}
+
+craze_status craze_opening_positions_at(craze_opening* opening, double time, double* positions,
+                                        craze_error* error) {
+  return guard(error, [&] {
+    require(opening, "opening");
+    require(positions, "positions");
+    if (!(time >= 0 && time <= 1)) wrong_argument("wrong time", "time", "must be in [0, 1]");
+    if (!opening->clip) opening->clip.emplace(opening->opening);
+    for (const Vec3& p : opening->clip->positions_at(time)) {
+      *positions++ = p.x();
+      *positions++ = p.y();
+      *positions++ = p.z();
+    }
+  });
+}
