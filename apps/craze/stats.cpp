@@ -5,7 +5,7 @@
 
 #include "app.h"
 #include "craze/base/error.h"
-#include "craze/io/atomic_file.h"
+#include "craze/io/files/atomic_file.h"
 #include "craze/stats/graph_input.h"
 #include "craze/stats/plots.h"
 #include "craze/stats/simplify_lines.h"

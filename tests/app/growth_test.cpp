@@ -3,7 +3,7 @@
 
 #include "app/command.h"
 #include "craze/base/error.h"
-#include "craze/io/byte_order.h"
+#include "craze/io/bytes/byte_order.h"
 #include "craze/io/read_mesh.h"
 
 namespace craze {

@@ -19,9 +19,14 @@ std::string layer_of(const std::string& include) {
   return include.substr(6, include.find('/', 6) - 6);
 }
 
+/// The layer that a source of the library lies in, at any depth of folders.
+std::string layer_of(const std::filesystem::path& source) {
+  return std::filesystem::relative(source, source_dir / "src/craze").begin()->string();
+}
+
 TEST(Includes, PointOnlyDownward) {
   for (const auto& source : sources_below("src/craze")) {
-    const std::string layer = source.parent_path().filename();
+    const std::string layer = layer_of(source);
     ASSERT_TRUE(rank.count(layer)) << source << ": a folder without a place among the layers";
     for (const std::string& include : includes_of(source)) {
       const std::string used = layer_of(include);
@@ -35,7 +40,7 @@ TEST(Includes, PointOnlyDownward) {
 TEST(Includes, OfLayersSideBySideFormNoCircle) {
   std::map<std::string, std::set<std::string>> uses;
   for (const auto& source : sources_below("src/craze")) {
-    const std::string layer = source.parent_path().filename();
+    const std::string layer = layer_of(source);
     for (const std::string& include : includes_of(source)) {
       const std::string used = layer_of(include);
       if (!used.empty() && used != layer) uses[layer].insert(used);

@@ -3,13 +3,13 @@
 
 #include <chrono>
 
-#include "craze/io/byte_order.h"
-#include "craze/io/gltf.h"
-#include "craze/io/obj.h"
-#include "craze/io/off.h"
-#include "craze/io/ply.h"
-#include "craze/io/stl.h"
-#include "io_test_tools.h"
+#include "craze/io/bytes/byte_order.h"
+#include "craze/io/gltf/gltf.h"
+#include "craze/io/obj/obj.h"
+#include "craze/io/off/off.h"
+#include "craze/io/ply/ply.h"
+#include "craze/io/stl/stl.h"
+#include "io/io_test_tools.h"
 
 namespace craze {
 namespace {

@@ -11,7 +11,7 @@
 #include "craze/io/write_mesh.h"
 #include "craze/scenario/presets.h"
 #include "craze/scenario/run.h"
-#include "io_test_tools.h"
+#include "io/io_test_tools.h"
 
 namespace craze {
 namespace {

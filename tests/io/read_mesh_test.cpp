@@ -1,8 +1,8 @@
 #include "craze/io/read_mesh.h"
 
-#include "craze/io/atomic_file.h"
+#include "craze/io/files/atomic_file.h"
 #include "craze/io/write_mesh.h"
-#include "io_test_tools.h"
+#include "io/io_test_tools.h"
 
 namespace craze {
 namespace {

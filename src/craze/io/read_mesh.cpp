@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "craze/io/gltf.h"
-#include "craze/io/input_error.h"
-#include "craze/io/obj.h"
-#include "craze/io/off.h"
-#include "craze/io/ply.h"
-#include "craze/io/read_file.h"
-#include "craze/io/stl.h"
+#include "craze/io/bytes/input_error.h"
+#include "craze/io/files/read_file.h"
+#include "craze/io/gltf/gltf.h"
+#include "craze/io/obj/obj.h"
+#include "craze/io/off/off.h"
+#include "craze/io/ply/ply.h"
+#include "craze/io/stl/stl.h"
 #include "craze/io/write_mesh.h"
 
 namespace craze {

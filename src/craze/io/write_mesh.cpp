@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "craze/base/error.h"
-#include "craze/io/atomic_file.h"
-#include "craze/io/glb_writer.h"
-#include "craze/io/obj.h"
-#include "craze/io/ply.h"
-#include "craze/io/stl.h"
+#include "craze/io/files/atomic_file.h"
+#include "craze/io/gltf/glb_writer.h"
+#include "craze/io/obj/obj.h"
+#include "craze/io/ply/ply.h"
+#include "craze/io/stl/stl.h"
 
 namespace craze {
 

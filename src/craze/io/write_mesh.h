@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "craze/io/morph_animation.h"
+#include "craze/io/gltf/morph_animation.h"
 #include "craze/mesh/surface_mesh.h"
 
 namespace craze {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "craze/base/error.h"
-#include "craze/io/atomic_file.h"
+#include "craze/io/files/atomic_file.h"
 #include "craze/scenario/run.h"
 #include "craze/scenario/snapping_diagram.h"
 

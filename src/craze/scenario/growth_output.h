@@ -2,7 +2,7 @@
 #pragma once
 
 #include "craze/base/context.h"
-#include "craze/io/morph_animation.h"
+#include "craze/io/gltf/morph_animation.h"
 #include "craze/model/simulation.h"
 #include "craze/post/growth_motion.h"
 #include "craze/render/picture.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "craze/bake/nearby_cracks.h"
-#include "craze/io/write_lines.h"
+#include "craze/io/lines/write_lines.h"
 #include "craze/io/write_mesh.h"
 #include "craze/mesh/components.h"
 #include "craze/mesh/transfer_attributes.h"

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "craze/base/error.h"
-#include "craze/io/atomic_file.h"
+#include "craze/io/files/atomic_file.h"
 #include "craze/mesh/repair.h"
 #include "craze/scenario/load_surface.h"
 #include "craze/scenario/outputs.h"

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "craze/base/random.h"
-#include "craze/io/read_image.h"
+#include "craze/io/image/read_image.h"
 #include "craze/mesh/feature_lines.h"
 #include "craze/mesh/remesh.h"
 #include "craze/mesh/tangent_frame.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "craze/base/error.h"
-#include "craze/io/read_lines.h"
+#include "craze/io/lines/read_lines.h"
 #include "craze/io/read_mesh.h"
 #include "craze/stats/graph_input.h"
 #include "craze/stats/null_models.h"

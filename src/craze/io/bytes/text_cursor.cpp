@@ -1,0 +1,111 @@
+#include "craze/io/bytes/text_cursor.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "craze/io/bytes/input_error.h"
+
+namespace craze {
+
+void TextCursor::fail(const std::string& why) const {
+  fail_input(at_line(*name_, line_), why);
+}
+
+void TextCursor::step_over_newline() {
+  if (*at_ == '\r' && at_ + 1 != end_ && at_[1] == '\n') ++at_;
+  ++at_;
+  ++line_;
+}
+
+bool TextCursor::more_on_line() {
+  while (at_ != end_) {
+    if (is_space(*at_)) {
+      ++at_;
+    } else if (*at_ == '\\' && at_ + 1 != end_ && is_newline(at_[1])) {
+      ++at_;
+      step_over_newline();
+    } else {
+      return !is_newline(*at_) && *at_ != '#';
+    }
+  }
+  return false;
+}
+
+bool TextCursor::skip_blank() {
+  while (!more_on_line()) {
+    if (at_ == end_) return false;
+    skip_line();
+  }
+  return true;
+}
+
+void TextCursor::skip_line() {
+  while (at_ != end_ && !is_newline(*at_)) ++at_;
+  if (at_ != end_) step_over_newline();
+}
+
+std::string_view TextCursor::word_here() const {
+  const char* p = at_;
+  while (!ends_word(p)) ++p;
+  return {at_, static_cast<std::size_t>(p - at_)};
+}
+
+std::string_view TextCursor::word() {
+  const std::string_view w = word_here();
+  at_ += w.size();
+  return w;
+}
+
+std::string_view TextCursor::rest_of_line() {
+  while (at_ != end_ && is_space(*at_)) ++at_;
+  const char* first = at_;
+  while (at_ != end_ && !is_newline(*at_)) ++at_;
+  const char* last = at_;
+  while (last != first && is_space(last[-1])) --last;
+  return {first, static_cast<std::size_t>(last - first)};
+}
+
+double TextCursor::number(const char* what) {
+  if (!more_on_line()) fail(fmt::format("{} is missing", what));
+  const char* first = *at_ == '+' ? at_ + 1 : at_;
+  double value = 0;
+  const auto [last, status] = std::from_chars(first, end_, value);
+  if (status == std::errc::invalid_argument || !ends_word(last)) {
+    fail(fmt::format("{} '{}' is not a number", what, printable(word_here())));
+  }
+  if (status == std::errc::result_out_of_range) {
+    value = std::strtod(std::string(first, last).c_str(), nullptr);  // ±huge, or tiny: both known
+  }
+  if (!std::isfinite(value)) {
+    fail(fmt::format("{} '{}' is not a finite number", what, printable(word_here())));
+  }
+  at_ = last;
+  return value;
+}
+
+std::int64_t TextCursor::integer(const char* what) {
+  if (!more_on_line()) fail(fmt::format("{} is missing", what));
+  const char* start = at_;
+  const std::int64_t value = leading_integer(what);
+  if (!ends_word(at_)) {
+    at_ = start;
+    fail(fmt::format("{} '{}' is not a whole number", what, printable(word_here())));
+  }
+  return value;
+}
+
+std::int64_t TextCursor::leading_integer(const char* what) {
+  const char* first = at_ != end_ && *at_ == '+' ? at_ + 1 : at_;
+  std::int64_t value = 0;
+  const auto [last, status] = std::from_chars(first, end_, value);
+  if (status != std::errc{}) {
+    fail(fmt::format("{} '{}' is not a whole number", what, printable(word_here())));
+  }
+  at_ = last;
+  return value;
+}
+
+}  // namespace craze

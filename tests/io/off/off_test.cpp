@@ -1,0 +1,49 @@
+#include "craze/io/off/off.h"
+
+#include "io/io_test_tools.h"
+
+namespace craze {
+namespace {
+
+SurfaceMesh read(const std::string& text) {
+  return read_off(text, "a.off");
+}
+
+TEST(Off, CommentsBlankLinesAndFaceColoursAreSkipped) {
+  const auto mesh = read(
+      "OFF # a square\n\n# counts\n4 2 0\n0 0 0\n1 0 0\n# between\n1 1 0\n0 1 0\n"
+      "3 0 1 2 255 0 0\n4 0 1 2 3\n");
+  EXPECT_EQ(mesh.positions.size(), 4u);
+  EXPECT_EQ(mesh.source_faces, (std::vector<std::int32_t>{0, 1, 1}));
+}
+
+TEST(Off, CountsMayFollowTheKeyword) {
+  EXPECT_EQ(read("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2").triangles.size(), 1u);
+}
+
+TEST(Off, ColoursAreOfEitherScale) {
+  const auto color = [](const std::string& rgba) {
+    return read("COFF\n3 1 0\n0 0 0 " + rgba + "\n1 0 0 " + rgba + "\n0 1 0 " + rgba +
+                "\n3 0 1 2\n")
+        .vertex_colors[0];
+  };
+  EXPECT_EQ(color("255 51 0"), (Color{1, 0.2f, 0, 1}));
+  EXPECT_EQ(color("255 51 0 255"), (Color{1, 0.2f, 0, 1}));
+  EXPECT_EQ(color("1 0.2 0 0.5"), (Color{1, 0.2f, 0, 0.5f}));
+}
+
+TEST(Off, NormalsAndUvsGoToTheCorners) {
+  const auto mesh = read(
+      "STCNOFF\n3 1 0\n0 0 0 0 0 2 1 1 1 0.5 0\n1 0 0 0 0 2 1 1 1 1 0\n"
+      "0 1 0 0 0 2 1 1 1 0 1\n3 0 1 2\n");
+  EXPECT_EQ(mesh.corner_normals[1], Vec3(0, 0, 1));
+  EXPECT_EQ(mesh.corner_uvs[0], Vec2(0.5, 0));
+}
+
+TEST(Off, OtherDimensionsAndBinaryAreRefusedByName) {
+  EXPECT_NE(message_of([] { read("4OFF\n1 1 0\n"); }).find("4OFF"), std::string::npos);
+  EXPECT_NE(message_of([] { read("OFF BINARY\n"); }).find("binary"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace craze
