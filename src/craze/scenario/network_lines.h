@@ -2,13 +2,13 @@
 #pragma once
 
 #include "craze/mesh/line_set.h"
-"craze/mesh/surface_mesh.h"
+#include "craze/mesh/surface_mesh.h"
 #include "craze/model/crack_network.h"
 
-    namespace craze {
+namespace craze {
 
-  /// Point attributes: junction (JunctionKind as a number), nx ny nz. Edge attributes: time, width,
-  /// event. UVs, two per edge, where the surface that the network's faces number has some.
-  LineSet network_lines(const CrackNetwork& network, const SurfaceMesh& surface);
+/// Point attributes: junction (JunctionKind as a number), nx ny nz. Edge attributes: time, width,
+/// event. UVs, two per edge, where the surface that the network's faces number has some.
+LineSet network_lines(const CrackNetwork& network, const SurfaceMesh& surface);
 
 }  // namespace craze

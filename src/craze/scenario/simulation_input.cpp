@@ -30,7 +30,7 @@ constexpr double fold_angle = 40;
 constexpr double edge_per_screening_length = 0.25;
 
 GreyImage read_texture(const std::string& path) {
-  return path.empty() ? GreyImage{} : read_image(path);
+  return path.empty() ? GreyImage{} : to_grey(read_image_file(path));
 }
 
 std::vector<Sym3> in_world(const TriangleMesh& mesh, const std::vector<Sym2>& tensors,

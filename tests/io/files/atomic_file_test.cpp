@@ -38,17 +38,15 @@ TEST(AtomicFile, NewFilesFollowTheUmask) {
 TEST(AtomicFile, AFailureLeavesTheOldFileAndNothingElse) {
   const TemporaryFolder folder;
   write_file(folder / "a", "old");
-  // A limit on the size of files stands for a full disk.
+  // A limit on the size of files stands for a full disk; its signal would end the process.
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
   rlimit small = before;
   small.rlim_cur = 1000;
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ::setrlimit(RLIMIT_FSIZE, &small);
   const std::string message =
       message_of([&] { write_file(folder / "a", std::string(5000, 'x')); }, ErrorKind::output);
   ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
   EXPECT_EQ(message, "cannot write file (" + (folder / "a").string() + "): File too large");
   EXPECT_EQ(read_file(folder / "a"), "old");
   EXPECT_EQ(folder.entries(), 1u);
@@ -132,6 +130,41 @@ TEST(ReadFile, SaysWhyAFileCannotBeRead) {
   const auto message = [&](const fs::path& path) { return message_of([&] { read_file(path); }); };
   EXPECT_NE(message(folder / "gone.obj").find("gone.obj): No such file"), std::string::npos);
   EXPECT_NE(message(folder.path()).find("Is a directory"), std::string::npos);
+}
+
+TEST(Pipes, ThatNobodyHoldsAreLeftWhenCancelled) {
+  const TemporaryFolder folder;
+  const std::string name = (folder / "pipe").string();
+  ASSERT_EQ(::mkfifo(name.c_str(), 0600), 0);
+  int looks = 0;
+  Context context;
+  context.cancelled = [&] { return ++looks > 2; };
+  EXPECT_THROW(read_file(name, "cannot read", context), Cancelled);
+  looks = 0;
+  EXPECT_THROW(write_file(name, "x", "cannot write", context), Cancelled);
+}
+
+TEST(Pipes, ThatNobodyDrainsAreLeftWhenCancelled) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  int looks = 0;
+  Context context;
+  context.cancelled = [&] { return ++looks > 4; };
+  EXPECT_THROW(write_file(fmt::format("/dev/fd/{}", ends[1]), std::string(1'000'000, 'x'),
+                          "cannot write", context),
+               Cancelled);
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
+TEST(AtomicFile, ACancelledWriteLeavesWhatWasThere) {
+  const TemporaryFolder folder;
+  write_file(folder / "a", "old");
+  Context context;
+  context.cancelled = [] { return true; };
+  EXPECT_THROW(write_file(folder / "a", "new", "cannot write", context), Cancelled);
+  EXPECT_EQ(read_file(folder / "a"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/files/atomic_file.h"
-#include "craze/io/gltf/glb_writer.h"
+#include "craze/io/files/sibling_files.h"
 #include "io/io_test_tools.h"
 
 namespace craze {
@@ -13,8 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-SurfaceMesh read(const Json& json, const GltfLoader& loader = nullptr) {
-  return read_gltf(json.dump(), "a.gltf", loader);
+SurfaceMesh read(const Json& json, const FileLoader& loader = nullptr) {
+  return read_mesh(json.dump(), "a.gltf", loader).mesh;
 }
 
 /// A file of one mesh: a triangle at (0,0,0) (1,0,0) (0,1,0) and a fourth vertex (1,1,0), in a
@@ -136,7 +136,8 @@ TEST(Gltf, BuffersComeOnlyFromTheModelsFolder) {
   write_file(folder / "secret.bin", square_bytes());
   write_file(folder / "model/data/my square.bin", square_bytes());
   std::filesystem::create_symlink("../secret.bin", folder / "model/link.bin");
-  const GltfLoader loader = load_from_folder(folder / "model");
+  const Context context;
+  const FileLoader loader = load_from_folder(folder / "model", context);
   EXPECT_EQ(loader("data/my%20square.bin"), square_bytes());
   const std::string outside = (folder / "secret.bin").string();
   for (const std::string& uri :
@@ -150,7 +151,7 @@ TEST(Gltf, BuffersComeOnlyFromTheModelsFolder) {
 
 TEST(Gltf, WhatIsWrittenAsGlbReadsBackInSinglePrecision) {
   const SurfaceMesh mesh = rich_mesh();
-  const SurfaceMesh back = read_gltf(format_glb(mesh), "a.glb");
+  const SurfaceMesh back = read_mesh(format_glb(mesh), "a.glb").mesh;
   // Primitives gather the faces of a material, so put the original in that order too.
   SurfaceMesh sorted = mesh;
   std::size_t at = 0;
@@ -175,7 +176,7 @@ TEST(Gltf, WhatIsWrittenAsGlbReadsBackInSinglePrecision) {
 TEST(Gltf, NormalsWithoutDirectionAreNotWritten) {
   SurfaceMesh mesh = rich_mesh();
   mesh.corner_normals[0].setZero();
-  const SurfaceMesh back = read_gltf(format_glb(mesh), "a.glb");
+  const SurfaceMesh back = read_mesh(format_glb(mesh), "a.glb").mesh;
   for (const Vec3& n : back.corner_normals) EXPECT_NEAR(n.norm(), 1, 1e-6);
 }
 

@@ -10,7 +10,7 @@ namespace craze {
 namespace {
 
 std::optional<LineSet> parse(const std::string& text, const std::string& extension) {
-  return parse_lines(text, extension, "test" + extension);
+  return read_lines(text, "test" + extension);
 }
 
 TEST(ReadLines, ObjPolylinesBecomeEdges) {

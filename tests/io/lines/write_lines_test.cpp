@@ -39,7 +39,11 @@ TEST(Lines, PlyKeepsEverythingToTheLastBit) {
   }
   const std::string bytes = format_lines_ply(set), name = "lines.ply";
   const PlyHeader header = parse_ply_header(bytes, name);
-  PlyBody body(bytes, header, name);
+  const FileLoader no_files;
+  const Context context;
+  std::vector<std::string> said;
+  const MeshSource source{bytes, name, no_files, context, said, said};
+  PlyBody body(source, header);
   const auto points = body.read(header.elements[0]);
   const auto edges = body.read(header.elements[1]);
   ASSERT_EQ(header.elements[1].name, "edge");

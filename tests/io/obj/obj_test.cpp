@@ -1,4 +1,5 @@
 #include "craze/io/obj/obj.h"
+#include "craze/io/read_mesh.h"
 
 #include "io/io_test_tools.h"
 
@@ -8,7 +9,7 @@ namespace {
 constexpr const char* square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 SurfaceMesh read(const std::string& text) {
-  return read_obj(text, "a.obj");
+  return read_mesh(text, "a.obj").mesh;
 }
 
 TEST(Obj, NegativeIndicesCountBackFromTheLastVertexSoFar) {
@@ -91,6 +92,59 @@ TEST(Obj, FacesWithoutMaterialStayWithout) {
   const SurfaceMesh back = read(format_obj(mesh));
   EXPECT_EQ(back.face_materials[3], -1);
   EXPECT_EQ(back.material_names[back.face_materials[4]], mesh.material_names[0]);
+}
+
+TEST(Obj, ABackslashEndsTheTokenBeforeIt) {
+  const auto mesh =
+      read("v 0 0 \\\n0\nv 1 0 0\\\n\nv 1 1 0\nf 1\\\r\n 2 3\\\n\n# f 1 \\\nf 1 3 2\n");
+  EXPECT_EQ(mesh.positions[1], Vec3(1, 0, 0));
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 1}}));
+}
+
+TEST(Obj, LinesEndInAnyOfThreeWays) {
+  const std::string text = std::string(square) + "f 1\t2 3\nf 1 3 4\n";
+  for (const std::string end : {"\r", "\r\n"}) {
+    std::string other;
+    for (const char c : text) other += c == '\n' ? end : std::string(1, c);
+    EXPECT_EQ(read(other).triangles, read(text).triangles);
+    EXPECT_EQ(read(other).positions, read(text).positions);
+  }
+}
+
+TEST(Obj, SlotsOfCornersMayBeEmpty) {
+  const std::string uvs = std::string(square) + "vt 0 0\nvn 0 0 1\n";
+  for (const char* face : {"f 1// 2// 3//", "f 1/ 2/ 3/", "f 1/1/ 2/1/ 3/1/", "f 1//1 2//1 3//1"}) {
+    EXPECT_EQ(read(uvs + face).triangles, (std::vector<Triangle>{{0, 1, 2}})) << face;
+  }
+  EXPECT_TRUE(read(uvs + "f 1// 2// 3//").corner_normals.empty());
+  EXPECT_EQ(read(uvs + "f 1/1/ 2/1/ 3/1/").corner_uvs.size(), 3u);
+}
+
+TEST(Obj, UvsAndNormalsThatAreNeverGivenAreLeftOutWithAWarning) {
+  for (const char* face : {"f 1/1 2/2 3/3", "f 1//1 2//2 3//3", "f -4/-1 -3/-1 -2/-1"}) {
+    const MeshFile file = read_mesh(std::string(square) + face, "a.obj");
+    EXPECT_EQ(file.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}})) << face;
+    EXPECT_TRUE(file.mesh.corner_uvs.empty() && file.mesh.corner_normals.empty());
+    ASSERT_EQ(file.warnings.size(), 1u) << face;
+    EXPECT_NE(file.warnings[0].find("3 corners name"), std::string::npos) << file.warnings[0];
+  }
+  const MeshFile some = read_mesh(std::string(square) + "vt 0.5 1\nf 1/1 2/2 3/1", "a.obj");
+  EXPECT_EQ(some.mesh.corner_uvs, (std::vector<Vec2>{{0.5, 1}, {0, 0}, {0.5, 1}}));
+}
+
+TEST(Obj, NumbersMayLackDigitsOnOneSideOfThePoint) {
+  const auto mesh = read("v .06 1. +1\nv -.5 1e5 1E-2\nv +.5 0 -0\nf 1 2 3\n");
+  EXPECT_EQ(mesh.positions[0], Vec3(0.06, 1, 1));
+  EXPECT_EQ(mesh.positions[1], Vec3(-0.5, 1e5, 1e-2));
+  EXPECT_EQ(mesh.positions[2], Vec3(0.5, 0, 0));
+  message_of([] { read("v +-1 0 0\n"); });
+}
+
+TEST(Obj, LinesOfOtherKindsAreNamed) {
+  const MeshFile file = read_mesh(
+      "mtllib a.mtl\ng a\ng b\n" + std::string(square) + "l 1 2\nf 1 2 3\ns off\n", "a.obj");
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_EQ(file.warnings[0], "lines of these kinds are not kept: 2 'g', 1 'l', 1 'mtllib'");
 }
 
 }  // namespace

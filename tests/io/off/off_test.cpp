@@ -1,4 +1,5 @@
 #include "craze/io/off/off.h"
+#include "craze/io/read_mesh.h"
 
 #include "io/io_test_tools.h"
 
@@ -6,10 +7,10 @@ namespace craze {
 namespace {
 
 SurfaceMesh read(const std::string& text) {
-  return read_off(text, "a.off");
+  return read_mesh(text, "a.off").mesh;
 }
 
-TEST(Off, CommentsBlankLinesAndFaceColoursAreSkipped) {
+TEST(Off, CommentsAndBlankLinesAreSkipped) {
   const auto mesh = read(
       "OFF # a square\n\n# counts\n4 2 0\n0 0 0\n1 0 0\n# between\n1 1 0\n0 1 0\n"
       "3 0 1 2 255 0 0\n4 0 1 2 3\n");
@@ -43,6 +44,34 @@ TEST(Off, NormalsAndUvsGoToTheCorners) {
 TEST(Off, OtherDimensionsAndBinaryAreRefusedByName) {
   EXPECT_NE(message_of([] { read("4OFF\n1 1 0\n"); }).find("4OFF"), std::string::npos);
   EXPECT_NE(message_of([] { read("OFF BINARY\n"); }).find("binary"), std::string::npos);
+}
+
+TEST(Off, TokensMayStandOnAnyLine) {
+  const std::vector<Triangle> expected{{0, 1, 2}, {0, 2, 3}};
+  for (const char* text : {"OFF 4 1 0 0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3",
+                           "OFF\n4\n1\n0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1\n2 3\n",
+                           "OFF\n4 1\n0 0\n0\n1 0 0 1 1 0\n0 1 0\n4 0 1 2 3"}) {
+    EXPECT_EQ(read(text).triangles, expected) << text;
+  }
+}
+
+TEST(Off, ColoursOfFacesAreKept) {
+  const auto red = [](const std::string& text) {
+    const SurfaceMesh mesh = read(text);
+    const Attribute* a = find_attribute(mesh.face_attributes, "red");
+    return a ? a->values : std::vector<double>{};
+  };
+  const std::string vertices = "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(red(vertices + "3 0 1 2 204 0 0\n3 2 1 0\n"), (std::vector<double>{204, 255}));
+  EXPECT_EQ(red(vertices + "3 0 1 2 0.2 0 0 1\n3 2 1 0 1 1 1\n"), (std::vector<double>{51, 255}));
+  EXPECT_TRUE(red(vertices + "3 0 1 2\n3 2 1 0\n").empty());
+}
+
+TEST(Off, MoreNumbersThanTheFirstWordSaysAreSkippedWithAWarning) {
+  const MeshFile file =
+      read_mesh("OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2\n", "a.off");
+  EXPECT_EQ(file.mesh.positions[1], Vec3(1, 0, 0));
+  EXPECT_EQ(file.warnings.size(), 1u);
 }
 
 }  // namespace

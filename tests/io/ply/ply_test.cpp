@@ -1,4 +1,5 @@
 #include "craze/io/ply/ply.h"
+#include "craze/io/read_mesh.h"
 
 #include "craze/io/bytes/byte_order.h"
 #include "io/io_test_tools.h"
@@ -7,7 +8,7 @@ namespace craze {
 namespace {
 
 SurfaceMesh read(const std::string& bytes) {
-  return read_ply(bytes, "a.ply");
+  return read_mesh(bytes, "a.ply").mesh;
 }
 
 template <class T>
@@ -140,6 +141,93 @@ TEST(Ply, NamesOfAttributesBecomeWordsOfTheirOwn) {
   for (const char* name : {"x_", "grain_size_", "unnamed"}) {
     EXPECT_NE(find_attribute(back.vertex_attributes, name), nullptr) << name;
   }
+}
+
+const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string indices = "property list uchar int vertex_indices\n";
+
+std::string quad(const std::string& properties, const std::string& values) {
+  return "ply\nformat ascii 1.0\nelement vertex 4\n" + xyz + properties + "element face 1\n" +
+         indices + "end_header\n0 0 0 " + values + "\n1 0 0 " + values + "\n1 1 0 " + values +
+         "\n0 1 0 " + values + "\n4 0 1 2 3\n";
+}
+
+TEST(Ply, StripsEndWithMinusOneAndTurnEveryOtherTriangle) {
+  for (const char* type : {"int", "uint"}) {
+    const bool is_signed = std::string(type) == "int";
+    const auto mesh = read(std::string("ply\nformat ascii 1.0\nelement vertex 4\n") + xyz +
+                           "element tristrips 1\nproperty list int " + type +
+                           " vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 0 1 2 3 " +
+                           (is_signed ? "-1" : "4294967295") + " 0 1 2 2\n");
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {0, 1, 2}})) << type;
+  }
+}
+
+TEST(Ply, RowsLongerThanTheHeaderLoseTheirRest) {
+  const MeshFile file = read_mesh(quad("", "0.5 0.5"), "a.ply");
+  EXPECT_EQ(file.mesh.positions[2], Vec3(1, 1, 0));
+  EXPECT_EQ(file.mesh.triangles.size(), 2u);
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_NE(file.warnings[0].find("4 rows hold more"), std::string::npos);
+}
+
+TEST(Ply, RowsMayShareALine) {
+  std::string text = quad("", "");
+  const std::size_t body = text.find("end_header\n") + 11;
+  std::replace(text.begin() + static_cast<std::ptrdiff_t>(body), text.end(), '\n', ' ');
+  EXPECT_EQ(read(text).positions, read(quad("", "")).positions);
+}
+
+TEST(Ply, ColoursAndUvsGoByManyNames) {
+  for (const char* prefix : {"", "diffuse_"}) {
+    const std::string p = std::string("property uchar ") + prefix;
+    const auto mesh = read(quad(p + "red\n" + p + "green\n" + p + "blue\n", "255 51 0"));
+    ASSERT_EQ(mesh.vertex_colors.size(), 4u) << prefix;
+    EXPECT_EQ(mesh.vertex_colors[0], (Color{1, 0.2f, 0, 1}));
+  }
+  for (const char* names : {"s t", "u v", "texture_u texture_v", "texture_s texture_t"}) {
+    const std::string both = names;
+    const std::size_t space = both.find(' ');
+    const auto mesh = read(quad("property float " + both.substr(0, space) + "\nproperty float " +
+                                    both.substr(space + 1) + "\n",
+                                "0.25 0.75"));
+    ASSERT_EQ(mesh.corner_uvs.size(), 6u) << names;
+    EXPECT_EQ(mesh.corner_uvs[0], Vec2(0.25, 0.75));
+  }
+}
+
+TEST(Ply, FloatColoursAreOfEitherScale) {
+  const std::string rgb = "property float red\nproperty float green\nproperty float blue\n";
+  EXPECT_EQ(read(quad(rgb, "255 51 0")).vertex_colors[0], (Color{1, 0.2f, 0, 1}));
+  EXPECT_EQ(read(quad(rgb, "1 0.5 0")).vertex_colors[0], (Color{1, 0.5f, 0, 1}));
+  EXPECT_EQ(read(quad(rgb + "property float alpha\n", "255 51 0 0.5")).vertex_colors[0],
+            (Color{1, 0.2f, 0, 0.5f}));
+}
+
+TEST(Ply, HeadersOfAnyLineEndLeaveBinaryRowsWhole) {
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
+      "property uchar x\nproperty uchar y\nproperty uchar z\nelement face 1\n"
+      "property list uchar uchar vertex_indices\nend_header\n";
+  const std::string body("\n\r\n\0\r\0\0\0\1\3\0\1\2", 13);
+  for (const std::string end : {"\n", "\r", "\r\n"}) {
+    std::string other;
+    for (const char c : header) other += c == '\n' ? end : std::string(1, c);
+    EXPECT_EQ(read(other + body).positions[0], Vec3(10, 13, 10));
+  }
+}
+
+TEST(Ply, IntegersOf64BitsAreRead) {
+  const auto mesh = read("ply\nformat ascii 1.0\nobj_info by hand\nelement vertex 3\n" + xyz +
+                         "property uint64 id\nelement face 1\nproperty list uint64 int64 "
+                         "vertex_index\nend_header\n0 0 0 7\n1 0 0 8\n0 1 0 9\n3 0 1 2\n");
+  EXPECT_EQ(find_attribute(mesh.vertex_attributes, "id")->values, (std::vector<double>{7, 8, 9}));
+}
+
+TEST(Ply, TexturesAreTold) {
+  std::string text = quad("", "");
+  text.insert(text.find("element vertex"), "comment TextureFile my clay.png\n");
+  EXPECT_EQ(read_mesh(text, "a.ply").textures, (std::vector<std::string>{"my clay.png"}));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ bool TextCursor::more_on_line() {
   while (at_ != end_) {
     if (is_space(*at_)) {
       ++at_;
-    } else if (*at_ == '\\' && at_ + 1 != end_ && is_newline(at_[1])) {
+    } else if (is_continuation(at_)) {
       ++at_;
       step_over_newline();
     } else {
@@ -43,7 +43,13 @@ bool TextCursor::skip_blank() {
 }
 
 void TextCursor::skip_line() {
-  while (at_ != end_ && !is_newline(*at_)) ++at_;
+  bool in_comment = false;
+  while (at_ != end_ && !is_newline(*at_)) {
+    in_comment = in_comment || *at_ == '#';
+    const bool joins = !in_comment && is_continuation(at_);
+    ++at_;
+    if (joins) step_over_newline();
+  }
   if (at_ != end_) step_over_newline();
 }
 
@@ -68,9 +74,14 @@ std::string_view TextCursor::rest_of_line() {
   return {first, static_cast<std::size_t>(last - first)};
 }
 
+const char* TextCursor::after_plus(const char* p) const {
+  const bool is_sign = p != end_ && *p == '+' && (p + 1 == end_ || p[1] != '-');
+  return is_sign ? p + 1 : p;
+}
+
 double TextCursor::number(const char* what) {
   if (!more_on_line()) fail(fmt::format("{} is missing", what));
-  const char* first = *at_ == '+' ? at_ + 1 : at_;
+  const char* first = after_plus(at_);
   double value = 0;
   const auto [last, status] = std::from_chars(first, end_, value);
   if (status == std::errc::invalid_argument || !ends_word(last)) {
@@ -98,7 +109,7 @@ std::int64_t TextCursor::integer(const char* what) {
 }
 
 std::int64_t TextCursor::leading_integer(const char* what) {
-  const char* first = at_ != end_ && *at_ == '+' ? at_ + 1 : at_;
+  const char* first = after_plus(at_);
   std::int64_t value = 0;
   const auto [last, status] = std::from_chars(first, end_, value);
   if (status != std::errc{}) {

@@ -9,8 +9,8 @@
 namespace craze {
 
 /// A position in a text. Lines end with \n, \r or both; a backslash before the line's end joins the
-/// next line; `#` starts a comment that runs to the end of the line. Nothing is allocated but
-/// messages.
+/// next line and ends a word; `#` starts a comment that runs to the end of the line. Nothing is
+/// allocated but messages.
 class TextCursor {
  public:
   /// Both must outlive the cursor. `name` is the file's, for messages; `line` the number of the
@@ -30,7 +30,7 @@ class TextCursor {
   bool skip_blank();
   /// Moves to the next word of this line; false where none is left.
   bool more_on_line();
-  /// Moves to the start of the next line.
+  /// Moves to the start of the next line that does not continue this one.
   void skip_line();
 
   /// The word here, up to a space or the end of the line; empty where there is none.
@@ -50,6 +50,8 @@ class TextCursor {
     return true;
   }
 
+  bool is_at(char c) const { return at_ != end_ && *at_ == c; }
+
   /// True at a space, at the end of a line and at the end of the text.
   bool at_word_end() const { return ends_word(at_); }
 
@@ -59,9 +61,16 @@ class TextCursor {
  private:
   static bool is_newline(char c) { return c == '\n' || c == '\r'; }
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-  bool ends_word(const char* p) const { return p == end_ || is_space(*p) || is_newline(*p); }
+  bool is_continuation(const char* p) const {
+    return *p == '\\' && p + 1 != end_ && is_newline(p[1]);
+  }
+  bool ends_word(const char* p) const {
+    return p == end_ || is_space(*p) || is_newline(*p) || is_continuation(p);
+  }
   void step_over_newline();
   std::string_view word_here() const;
+  /// Past a plus sign, which numbers may have here but not in the standard library.
+  const char* after_plus(const char* p) const;
 
   const char* begin_;
   const char* at_;

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <string>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "craze/base/error.h"
+#include "craze/io/files/wait_for_pipe.h"
 
 namespace craze {
 
@@ -19,47 +21,60 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// While one lives, this thread's writes to a closed pipe fail with EPIPE instead of ending the
-/// process.
-class NoPipeSignal {
+/// While one lives, this thread's writes to a closed pipe fail with EPIPE and those beyond the
+/// limit on a file's size with EFBIG, instead of ending the process.
+class NoWriteSignals {
  public:
-  NoPipeSignal() {
-    sigemptyset(&pipe_);
-    sigaddset(&pipe_, SIGPIPE);
+  NoWriteSignals() {
     sigset_t pending;
     sigpending(&pending);
-    was_pending_ = sigismember(&pending, SIGPIPE) == 1;
-    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+    sigemptyset(&ours_);
+    for (const int signal : {SIGPIPE, SIGXFSZ}) {
+      if (sigismember(&pending, signal) != 1) sigaddset(&ours_, signal);
+    }
+    pthread_sigmask(SIG_BLOCK, &ours_, &before_);
   }
-  NoPipeSignal(const NoPipeSignal&) = delete;
-  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
-  ~NoPipeSignal() {
+  NoWriteSignals(const NoWriteSignals&) = delete;
+  NoWriteSignals& operator=(const NoWriteSignals&) = delete;
+  ~NoWriteSignals() {
     const timespec now{};
-    if (!was_pending_) sigtimedwait(&pipe_, nullptr, &now);
+    while (sigtimedwait(&ours_, nullptr, &now) > 0) {
+    }
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
 
  private:
-  sigset_t pipe_, before_;
-  bool was_pending_;
+  sigset_t ours_, before_;
 };
 
 /// Writes all bytes; returns 0 or the system's error code.
-int write_all(int fd, std::string_view bytes) {
-  const NoPipeSignal guard;
+int write_all(int fd, std::string_view bytes, const Context& context) {
+  constexpr std::size_t most_at_once = std::size_t{1} << 24;  // so that a cancel is heard between
+  const NoWriteSignals guard;
   while (!bytes.empty()) {
-    const ssize_t put = ::write(fd, bytes.data(), bytes.size());
+    if (context.is_cancelled()) throw Cancelled();
+    const ssize_t put = ::write(fd, bytes.data(), std::min(bytes.size(), most_at_once));
     if (put < 0 && errno == EINTR) continue;
+    if (put < 0 && errno == EAGAIN) {
+      wait_for_pipe(fd, PipeEnd::write, context);
+      continue;
+    }
     if (put < 0) return errno;
     bytes.remove_prefix(static_cast<std::size_t>(put));
   }
   return 0;
 }
 
-int write_directly(const char* path, std::string_view bytes) {
-  const int fd = ::open(path, O_WRONLY | O_CLOEXEC);
+int write_directly(const char* path, std::string_view bytes, const Context& context) {
+  const int fd = open_for_writing(path, context);
   if (fd < 0) return errno;
-  const int code = write_all(fd, bytes);
+  int code = 0;
+  try {
+    code = write_all(fd, bytes, context);
+  } catch (...) {
+    ::close(fd);
+    throw;
+  }
   return ::close(fd) != 0 && code == 0 ? errno : code;
 }
 
@@ -121,11 +136,11 @@ class FileBeside {
   int fd_ = -1;
 };
 
-int write_beside(const fs::path& path, std::string_view bytes) {
+int write_beside(const fs::path& path, std::string_view bytes, const Context& context) {
   if (!path.has_filename()) return path.empty() ? ENOENT : EISDIR;
   FileBeside file(path);
   if (file.descriptor() < 0) return errno;
-  if (const int code = write_all(file.descriptor(), bytes); code != 0) return code;
+  if (const int code = write_all(file.descriptor(), bytes, context); code != 0) return code;
   struct stat old {};
   if (::stat(path.c_str(), &old) == 0 && ::fchmod(file.descriptor(), old.st_mode & 07777) != 0) {
     return errno;
@@ -140,7 +155,7 @@ bool is_lent(const fs::path& path) {
   return text.starts_with("/dev/") || text.starts_with("/proc/");
 }
 
-int write_anywhere(fs::path path, std::string_view bytes) {
+int write_anywhere(fs::path path, std::string_view bytes, const Context& context) {
   constexpr int most_links = 40;  // as the kernel allows
   std::error_code code;
   for (int links = 0; !is_lent(path) && fs::is_symlink(path, code); ++links) {
@@ -151,14 +166,15 @@ int write_anywhere(fs::path path, std::string_view bytes) {
   const fs::file_status status = fs::status(path, code);
   if (fs::is_directory(status)) return EISDIR;
   const bool is_special = fs::exists(status) && !fs::is_regular_file(status);
-  return is_lent(path) || is_special ? write_directly(path.c_str(), bytes)
-                                     : write_beside(path, bytes);
+  return is_lent(path) || is_special ? write_directly(path.c_str(), bytes, context)
+                                     : write_beside(path, bytes, context);
 }
 
 }  // namespace
 
-void write_file(const fs::path& path, std::string_view bytes, const char* what) {
-  if (const int code = write_anywhere(path, bytes); code != 0) {
+void write_file(const fs::path& path, std::string_view bytes, const char* what,
+                const Context& context) {
+  if (const int code = write_anywhere(path, bytes, context); code != 0) {
     throw Error(ErrorKind::output, what, path.string(), std::generic_category().message(code));
   }
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "craze/base/progress_meter.h"
 #include "craze/io/polygons/single_precision.h"
 #include "craze/io/polygons/unify_corners.h"
 
@@ -32,8 +33,11 @@ std::string attribute_name(const std::string& name) {
 
 class MeshWriter {
  public:
-  MeshWriter(const SurfaceMesh& mesh, GlbBuffer& buffer)
-      : mesh_(mesh), unified_(unify_corners(mesh)), buffer_(buffer) {}
+  MeshWriter(const SurfaceMesh& mesh, GlbBuffer& buffer, const Context& context)
+      : mesh_(mesh),
+        unified_(unify_corners(mesh)),
+        buffer_(buffer),
+        meter_(context, "write", 3 + mesh.vertex_attributes.size(), 1) {}
 
   ordered_json write(const Vec3& origin, const std::vector<MorphStage>& stages,
                      GlbMaterials& materials) {
@@ -52,7 +56,10 @@ class MeshWriter {
   }
 
  private:
+  void next_step() { meter_.at(steps_++); }
+
   void write_positions(const Vec3& origin) {
+    next_step();
     std::vector<std::array<float, 3>> positions;
     for (const std::int32_t v : unified_.sources) {
       positions.push_back(to_floats(mesh_.positions[v] - origin, "GLB"));
@@ -65,6 +72,7 @@ class MeshWriter {
   }
 
   void write_corner_values() {
+    next_step();
     std::vector<float> numbers;
     for (const Vec3& n : unified_.normals) {
       for (int k = 0; k < 3; ++k) numbers.push_back(to_float(n[k]));
@@ -85,6 +93,7 @@ class MeshWriter {
   }
 
   void write_attribute(const Attribute& a) {
+    next_step();
     const bool fits = a.components <= 4;
     const int n = fits ? a.components : 1;
     for (int first = 0; first < a.components; first += n) {
@@ -126,6 +135,7 @@ class MeshWriter {
   }
 
   ordered_json write_primitives(const ordered_json& targets, GlbMaterials& materials) {
+    next_step();
     std::map<std::int32_t, std::vector<std::uint32_t>> corners;  // −1, no material, comes first
     for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
       auto& of = corners[mesh_.face_materials.empty() ? -1 : mesh_.face_materials[f]];
@@ -146,6 +156,8 @@ class MeshWriter {
   const SurfaceMesh& mesh_;
   UnifiedCorners unified_;
   GlbBuffer& buffer_;
+  ProgressMeter meter_;
+  std::size_t steps_ = 0;
   ordered_json attributes_ = ordered_json::object();
 };
 
@@ -170,8 +182,8 @@ std::size_t GlbMaterials::number(const SurfaceMesh& mesh, std::int32_t face_mate
 
 ordered_json glb_mesh(const SurfaceMesh& mesh, const Vec3& origin,
                       const std::vector<MorphStage>& stages, GlbBuffer& buffer,
-                      GlbMaterials& materials) {
-  return MeshWriter(mesh, buffer).write(origin, stages, materials);
+                      GlbMaterials& materials, const Context& context) {
+  return MeshWriter(mesh, buffer, context).write(origin, stages, materials);
 }
 
 }  // namespace craze

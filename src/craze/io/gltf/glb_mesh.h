@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "craze/base/context.h"
 #include "craze/io/gltf/glb_buffer.h"
 #include "craze/io/gltf/morph_animation.h"
 #include "craze/mesh/surface_mesh.h"
@@ -23,9 +24,9 @@ class GlbMaterials {
 };
 
 /// The glTF object of a mesh, its numbers appended to the buffer. Positions are written less
-/// `origin`. `stages` are morph targets that take back what the stages do.
+/// `origin`. `stages` are morph targets that take back what the stages do. Throws Cancelled.
 nlohmann::ordered_json glb_mesh(const SurfaceMesh& mesh, const Vec3& origin,
                                 const std::vector<MorphStage>& stages, GlbBuffer& buffer,
-                                GlbMaterials& materials);
+                                GlbMaterials& materials, const Context& context);
 
 }  // namespace craze

@@ -1,5 +1,5 @@
 // Format: Khronos Group, "glTF 2.0 Specification", 2021.
-#include "craze/io/gltf/glb_writer.h"
+#include "craze/io/gltf/gltf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +32,23 @@ Vec3 on_grid(const Vec3& p, double grid) {
   return (p / grid).array().round().matrix() * grid;
 }
 
+/// What to take from every vertex so that single precision keeps the mesh: nothing near the origin,
+/// else the middle of its box. On a grid so coarse that the difference is exact.
+Vec3 far_origin(const SurfaceMesh& mesh) {
+  constexpr double noticed = 1e-6;  // of the mesh's size
+  if (mesh.positions.empty()) return Vec3::Zero();
+  Vec3 low = mesh.positions[0], high = low;
+  for (const Vec3& p : mesh.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double size = (high - low).norm();
+  if (!(float_grid(mesh) / 2 > noticed * size)) return Vec3::Zero();
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return on_grid((low + high) / 2, std::ldexp(1, exponent));
+}
+
 /// By area; by vertices where there is none.
 Vec3 centroid(const SurfaceMesh& mesh) {
   Vec3 by_area = Vec3::Zero(), by_vertex = Vec3::Zero();
@@ -44,6 +61,10 @@ Vec3 centroid(const SurfaceMesh& mesh) {
   }
   for (const Vec3& p : mesh.positions) by_vertex += p / static_cast<double>(mesh.positions.size());
   return total > 0 ? Vec3(by_area / total) : by_vertex;
+}
+
+ordered_json to_json(const Vec3& p) {
+  return {p.x(), p.y(), p.z()};
 }
 
 /// The stages as a part sees them.
@@ -66,21 +87,37 @@ std::vector<MorphStage> stages_of(const MorphAnimation& animation,
 
 class GlbWriter {
  public:
-  explicit GlbWriter(const GlbOptions& options) : options_(options) {}
+  GlbWriter(const MeshFileOptions& options, const Context& context)
+      : options_(options), context_(context) {}
 
   std::string write(const SurfaceMesh& mesh) {
+    const Vec3 far = far_origin(mesh);
     if (options_.objects.empty()) {
-      add_node({{"mesh", 0}}, mesh, Vec3::Zero(),
+      ordered_json node{{"mesh", 0}};
+      if (!far.isZero(0)) node["translation"] = to_json(far);
+      add_node(std::move(node), mesh, far,
                options_.animation ? options_.animation->stages : std::vector<MorphStage>{});
-    } else {
+    } else if (far.isZero(0)) {
       add_parts(mesh);
+    } else {
+      SurfaceMesh near = mesh;
+      for (Vec3& p : near.positions) p -= far;
+      add_parts(near);
     }
     ordered_json root;
     root["asset"] = {{"version", "2.0"}, {"generator", "craze"}};
     root["scene"] = 0;
     root["scenes"] = {{{"nodes", ordered_json::array()}}};
-    for (std::size_t i = 0; i < nodes_.size(); ++i) root["scenes"][0]["nodes"].push_back(i);
+    ordered_json all = ordered_json::array();
+    for (std::size_t i = 0; i < nodes_.size(); ++i) all.push_back(i);
     root["nodes"] = nodes_;
+    if (!options_.objects.empty() && !far.isZero(0)) {
+      // Parts that meet still meet below one node, whatever precision its place is given in.
+      root["scenes"][0]["nodes"].push_back(nodes_.size());
+      root["nodes"].push_back({{"translation", to_json(far)}, {"children", std::move(all)}});
+    } else {
+      root["scenes"][0]["nodes"] = std::move(all);
+    }
     root["meshes"] = meshes_;
     root["materials"] = materials_.json();
     if (options_.animation) root["animations"] = ordered_json::array({animation()});
@@ -90,8 +127,9 @@ class GlbWriter {
  private:
   void add_node(ordered_json node, const SurfaceMesh& mesh, const Vec3& origin,
                 const std::vector<MorphStage>& stages) {
+    if (context_.is_cancelled()) throw Cancelled();
     nodes_.push_back(std::move(node));
-    meshes_.push_back(glb_mesh(mesh, origin, stages, buffer_, materials_));
+    meshes_.push_back(glb_mesh(mesh, origin, stages, buffer_, materials_, context_));
   }
 
   void add_parts(const SurfaceMesh& mesh) {
@@ -100,9 +138,8 @@ class GlbWriter {
       ExtractedPart own = extract_part(mesh, part.faces);
       const Vec3 origin = on_grid(centroid(own.mesh), grid);
       for (Vec3& p : own.mesh.positions) p = on_grid(p, grid);
-      ordered_json node{{"name", part.name},
-                        {"mesh", meshes_.size()},
-                        {"translation", {origin.x(), origin.y(), origin.z()}}};
+      ordered_json node{
+          {"name", part.name}, {"mesh", meshes_.size()}, {"translation", to_json(origin)}};
       add_node(std::move(node), own.mesh, origin,
                options_.animation ? stages_of(*options_.animation, own.vertices)
                                   : std::vector<MorphStage>{});
@@ -135,7 +172,8 @@ class GlbWriter {
     return json;
   }
 
-  const GlbOptions& options_;
+  const MeshFileOptions& options_;
+  const Context& context_;
   GlbBuffer buffer_;
   GlbMaterials materials_;
   ordered_json nodes_ = ordered_json::array(), meshes_ = ordered_json::array();
@@ -143,11 +181,12 @@ class GlbWriter {
 
 }  // namespace
 
-std::string format_glb(const SurfaceMesh& mesh, const GlbOptions& options) {
-  if (mesh.corner_normals.empty()) return GlbWriter(options).write(mesh);
+std::string format_glb(const SurfaceMesh& mesh, const MeshFileOptions& options,
+                       const Context& context) {
+  if (mesh.corner_normals.empty()) return GlbWriter(options, context).write(mesh);
   SurfaceMesh unit = mesh;
   normalize_corner_normals(unit);
-  return GlbWriter(options).write(unit);
+  return GlbWriter(options, context).write(unit);
 }
 
 }  // namespace craze

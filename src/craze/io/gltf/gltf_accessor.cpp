@@ -30,11 +30,16 @@ std::size_t component_size(std::size_t type) {
   }
 }
 
+bool is_unsigned(std::size_t type) {
+  return type == 5121 || type == 5123 || type == 5125;
+}
+
 std::size_t component_count(const std::string& type) {
   if (type == "SCALAR") return 1;
   if (type == "VEC2") return 2;
   if (type == "VEC3") return 3;
   if (type == "VEC4") return 4;
+  if (type == "MAT4") return 16;  // whose columns need no padding, whatever the components
   return 0;
 }
 
@@ -103,6 +108,14 @@ std::string_view GltfAccessors::view(std::size_t buffer_view) {
   const Json& view = json_.item(root_, "bufferViews", buffer_view);
   const auto index = json_.index(view, "buffer");
   if (!index) json_.fail("a bufferView has no buffer");
+  for (const char* meshopt : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    const Json& held = json_.item(root_, "buffers", *index);
+    // What it stands in for may be there as well; then the compressed copy is of no concern.
+    if (json_.extension(view, meshopt) && json_.extension(held, meshopt) &&
+        json_.text(held, "uri").empty()) {
+      json_.fail("it is compressed with meshopt, which is not supported; export it without");
+    }
+  }
   const std::string_view bytes = buffer(*index);
   const std::size_t offset = json_.index_or(view, "byteOffset", 0);
   const std::size_t size = json_.index_or(view, "byteLength", 0);
@@ -116,65 +129,122 @@ std::size_t GltfAccessors::count(std::size_t accessor) const {
   return json_.index_or(json_.item(root_, "accessors", accessor), "count", 0);
 }
 
-GltfAccessors::Layout GltfAccessors::layout(std::size_t accessor) {
+bool GltfAccessors::has_data(std::size_t accessor) const {
   const Json& json = json_.item(root_, "accessors", accessor);
-  const std::string name = fmt::format("accessor {}", accessor);
-  if (json.contains("sparse"))
-    json_.fail(fmt::format("{} is sparse, which is not supported", name));
-  const auto view_index = json_.index(json, "bufferView");
-  if (!view_index) json_.fail(fmt::format("{} has no bufferView", name));
-  Layout layout;
-  layout.count = count(accessor);
-  layout.components = component_count(json_.text(json, "type"));
-  if (layout.components == 0)
-    json_.fail(fmt::format("{} is not of type SCALAR, VEC2, VEC3 or VEC4", name));
-  layout.component_type = json_.index_or(json, "componentType", 0);
-  const std::size_t size = component_size(layout.component_type) * layout.components;
-  if (size == 0) json_.fail(fmt::format("{} has an unknown componentType", name));
-  const auto normalized = json.find("normalized");
-  layout.normalized = normalized != json.end() && *normalized == Json(true);
+  return json.contains("bufferView") || json.contains("sparse");
+}
 
-  const std::string_view bytes = view(*view_index);
-  layout.stride = json_.index_or(root_["bufferViews"][*view_index], "byteStride", size);
-  if (layout.stride < size)
-    json_.fail(fmt::format("{} has a byteStride smaller than its elements", name));
-  const std::size_t offset = json_.index_or(json, "byteOffset", 0);
+void GltfAccessors::place(Layout& layout, std::size_t buffer_view, std::size_t offset,
+                          std::size_t stride, const std::string& what) {
+  const std::string_view bytes = view(buffer_view);
+  const std::size_t size = component_size(layout.component_type) * layout.components;
+  layout.stride = stride == 0 ? size : stride;
+  if (layout.stride < size) {
+    json_.fail(fmt::format("{} has a byteStride smaller than its elements", what));
+  }
   const bool fits =
       layout.count == 0 || (offset <= bytes.size() && size <= bytes.size() - offset &&
                             layout.count - 1 <= (bytes.size() - offset - size) / layout.stride);
-  if (!fits) json_.fail(fmt::format("{} reaches beyond its bufferView", name));
+  if (!fits) json_.fail(fmt::format("{} reaches beyond its bufferView", what));
   if (layout.count > 0) layout.first = bytes.data() + offset;
+}
+
+GltfAccessors::Layout GltfAccessors::layout(std::size_t accessor) {
+  const Json& json = json_.item(root_, "accessors", accessor);
+  const std::string name = fmt::format("accessor {}", accessor);
+  Layout layout;
+  layout.count = count(accessor);
+  layout.components = component_count(json_.text(json, "type"));
+  if (layout.components == 0) {
+    json_.fail(fmt::format("{} is not of type SCALAR, VEC2, VEC3, VEC4 or MAT4", name));
+  }
+  layout.component_type = json_.index_or(json, "componentType", 0);
+  if (component_size(layout.component_type) == 0) {
+    json_.fail(fmt::format("{} has an unknown componentType", name));
+  }
+  const auto normalized = json.find("normalized");
+  layout.normalized = normalized != json.end() && *normalized == Json(true);
+  if (const auto view_index = json_.index(json, "bufferView")) {
+    const Json& view = json_.item(root_, "bufferViews", *view_index);
+    place(layout, *view_index, json_.index_or(json, "byteOffset", 0),
+          json_.index_or(view, "byteStride", 0), name);
+  } else if (layout.count > most_) {
+    json_.fail(
+        fmt::format("{} stands for {} zeros, too many for the file's size", name, layout.count));
+  }
   return layout;
+}
+
+void GltfAccessors::decode(const Layout& in, std::size_t accessor, double* out) const {
+  const std::size_t size = component_size(in.component_type);
+  for (std::size_t i = 0; i < in.count; ++i) {
+    for (std::size_t k = 0; k < in.components; ++k, ++out) {
+      *out = load_component(in.first + i * in.stride + k * size, in.component_type, in.normalized);
+      if (!std::isfinite(*out)) {
+        json_.fail(fmt::format("accessor {} element {} is not a finite number", accessor, i));
+      }
+    }
+  }
+}
+
+void GltfAccessors::substitute(const Json& sparse, const Layout& base, std::size_t accessor,
+                               double* out) {
+  const std::string name = fmt::format("the sparse part of accessor {}", accessor);
+  const auto part = [&](const char* key) -> const Json& {
+    const auto found = sparse.is_object() ? sparse.find(key) : sparse.end();
+    if (found == sparse.end() || !found->is_object())
+      json_.fail(fmt::format("{} has no {}", name, key));
+    return *found;
+  };
+  const auto place_part = [&](Layout& of, const Json& json) {
+    const auto view_index = json_.index(json, "bufferView");
+    if (!view_index) json_.fail(fmt::format("{} has no bufferView", name));
+    place(of, *view_index, json_.index_or(json, "byteOffset", 0), 0, name);
+  };
+  Layout indices;
+  indices.count = json_.index_or(sparse, "count", 0);
+  indices.components = 1;
+  indices.component_type = json_.index_or(part("indices"), "componentType", 0);
+  if (!is_unsigned(indices.component_type)) {
+    json_.fail(fmt::format("{} has indices that are not unsigned", name));
+  }
+  Layout values = base;
+  values.count = indices.count;
+  place_part(indices, part("indices"));
+  place_part(values, part("values"));
+  std::vector<double> elements(values.count * values.components);
+  decode(values, accessor, elements.data());
+  for (std::size_t i = 0; i < indices.count; ++i) {
+    const double index =
+        load_component(indices.first + i * indices.stride, indices.component_type, false);
+    if (index >= static_cast<double>(base.count)) {
+      json_.fail(fmt::format("{} asks for element {} of {}", name, index, base.count));
+    }
+    const auto element = elements.begin() + static_cast<std::ptrdiff_t>(i * base.components);
+    std::copy(element, element + static_cast<std::ptrdiff_t>(base.components),
+              out + static_cast<std::size_t>(index) * base.components);
+  }
 }
 
 GltfAccessors::Values GltfAccessors::read(std::size_t accessor) {
   const Layout in = layout(accessor);
-  Values out{in.count, in.components, {}};
-  out.values.reserve(in.count * in.components);
-  const std::size_t size = component_size(in.component_type);
-  for (std::size_t i = 0; i < in.count; ++i) {
-    for (std::size_t k = 0; k < in.components; ++k) {
-      const char* p = in.first + i * in.stride + k * size;
-      out.values.push_back(load_component(p, in.component_type, in.normalized));
-      if (!std::isfinite(out.values.back())) {
-        json_.fail(fmt::format("accessor {} element {} is not a finite number", accessor, i));
-      }
-    }
+  Values out{in.count, in.components, std::vector<double>(in.count * in.components)};
+  if (in.first) decode(in, accessor, out.values.data());
+  const Json& json = root_["accessors"][accessor];
+  if (const auto sparse = json.find("sparse"); sparse != json.end()) {
+    substitute(*sparse, in, accessor, out.values.data());
   }
   return out;
 }
 
 std::vector<std::uint32_t> GltfAccessors::read_indices(std::size_t accessor) {
   const Layout in = layout(accessor);
-  const bool is_unsigned =
-      in.component_type == 5121 || in.component_type == 5123 || in.component_type == 5125;
-  if (in.components != 1 || !is_unsigned) {
+  if (in.components != 1 || !is_unsigned(in.component_type)) {
     json_.fail(fmt::format("accessor {} does not hold indices", accessor));
   }
   std::vector<std::uint32_t> indices;
   indices.reserve(in.count);
-  for (std::size_t i = 0; i < in.count; ++i) {
-    const double value = load_component(in.first + i * in.stride, in.component_type, false);
+  for (const double value : read(accessor).values) {
     indices.push_back(static_cast<std::uint32_t>(value));
   }
   return indices;

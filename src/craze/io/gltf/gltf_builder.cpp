@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/polygons/polygon_soup.h"
@@ -30,63 +31,80 @@ void GltfBuilder::spend(std::size_t elements) {
   }
 }
 
+/// The node's weights win over the mesh's.
+std::vector<double> GltfBuilder::morph_weights(const Json& mesh, const Json* node) const {
+  const Json* holder = node && node->contains("weights") ? node : &mesh;
+  std::vector<double> weights(json_.array(*holder, "weights").size());
+  json_.numbers(*holder, "weights", weights.data(), weights.size());
+  return weights;
+}
+
+const std::vector<Eigen::Matrix4d>& GltfBuilder::joints_of(std::size_t skin) {
+  const auto found = joints_.find(skin);
+  if (found != joints_.end()) return found->second;
+  return joints_.emplace(skin, joint_matrices(root_, skin, nodes_, accessors_, source_.name))
+      .first->second;
+}
+
 void GltfBuilder::add(const GltfInstance& instance) {
   const Json& mesh = json_.item(root_, "meshes", instance.mesh);
-  std::map<std::string, std::size_t> first_vertices;
+  const std::vector<double> weights = morph_weights(mesh, instance.node);
+  std::map<std::string, Placed> placed;
   for (const Json& primitive : json_.array(mesh, "primitives")) {
     spend(primitive_cost);
     if (!primitive.is_object()) json_.fail("a primitive is not an object");
-    add_primitive(primitive, instance.transform, first_vertices);
+    add_primitive(primitive, instance, weights, placed);
   }
 }
 
-void GltfBuilder::add_primitive(const Json& primitive, const Eigen::Matrix4d& world,
-                                std::map<std::string, std::size_t>& first_vertices) {
-  const std::size_t mode = json_.index_or(primitive, "mode", triangles_mode);
-  if (mode < triangles_mode || mode > fan_mode) return;  // points and lines are no surface
-  const auto extensions = primitive.find("extensions");
-  if (extensions != primitive.end() && extensions->contains("KHR_draco_mesh_compression")) {
-    json_.fail("it is compressed with Draco, which is not supported; export it without");
+void GltfBuilder::add_primitive(const Json& json, const GltfInstance& instance,
+                                const std::vector<double>& weights,
+                                std::map<std::string, Placed>& placed) {
+  const std::size_t mode = json_.index_or(json, "mode", triangles_mode);
+  if (mode < triangles_mode || mode > fan_mode) {
+    ++skipped_primitives_;
+    return;
   }
-  const auto attributes = primitive.find("attributes");
-  if (attributes == primitive.end() || !attributes->is_object()) {
-    json_.fail("a primitive has no attributes");
-  }
-  const auto position = json_.index(*attributes, "POSITION");
-  if (!position) return;
-  spend(attributes->size());
+  GltfPrimitive primitive(
+      json, weights, accessors_, [this](std::size_t numbers) { spend(numbers); }, source_.name);
+  if (!primitive.has("POSITION")) return;
+  spend(primitive.attributes().size());
 
   // Primitives that share all attributes share vertices.
-  const auto [known, is_new] =
-      first_vertices.try_emplace(attributes->dump(), mesh_.positions.size());
-  if (is_new) add_vertices(*attributes, world);
+  const std::string key = primitive.key();
+  auto known = placed.find(key);
+  if (known == placed.end()) known = placed.emplace(key, add_vertices(primitive, instance)).first;
 
-  const std::size_t count = accessors_.count(*position);
+  const std::size_t count = primitive.vertex_count();
   std::vector<std::uint32_t> indices;
-  if (const auto accessor = json_.index(primitive, "indices")) {
+  if (const auto accessor = json_.index(json, "indices")) {
+    spend(accessors_.count(*accessor));
     indices = accessors_.read_indices(*accessor);
     for (const std::uint32_t i : indices) {
       if (i >= count) json_.fail(fmt::format("an index asks for vertex {} of {}", i, count));
     }
   } else {
+    spend(count);
     indices.resize(count);
     std::iota(indices.begin(), indices.end(), 0u);
   }
   std::int32_t material = -1;
-  if (const auto m = json_.index(primitive, "material")) {
+  if (const auto m = json_.index(json, "material")) {
     json_.item(root_, "materials", *m);
     material = static_cast<std::int32_t>(*m);
   }
-  const bool mirrored = world.topLeftCorner<3, 3>().determinant() < 0;
-  add_triangles(indices, mode, known->second, mirrored, material);
+  add_triangles(indices, mode, known->second.first, known->second.mirrored, material);
 }
 
 void GltfBuilder::add_triangles(const std::vector<std::uint32_t>& indices, std::size_t mode,
                                 std::size_t base, bool mirrored, std::int32_t material) {
   const std::size_t n = indices.size();
-  spend(n);
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     const auto vertex = [&](std::size_t i) { return static_cast<std::int32_t>(base + indices[i]); };
+    // Strips are joined by triangles that are none.
+    const bool joins = mode == strip_mode && (indices[a] == indices[b] ||
+                                              indices[b] == indices[c] || indices[a] == indices[c]);
+    if (joins) return;
     if (mirrored) std::swap(b, c);
     mesh_.triangles.push_back({vertex(a), vertex(b), vertex(c)});
     mesh_.face_materials.push_back(material);
@@ -100,57 +118,69 @@ void GltfBuilder::add_triangles(const std::vector<std::uint32_t>& indices, std::
   }
 }
 
-GltfBuilder::Values GltfBuilder::read_attribute(const Json& attributes, const char* key,
-                                                std::size_t count, std::size_t components,
-                                                std::size_t or_components) {
-  Values values = accessors_.read(*json_.index(attributes, key));
-  if (values.count != count ||
-      (values.components != components && values.components != or_components)) {
-    json_.fail(fmt::format("the accessor of {} has not the size it should have", printable(key)));
+GltfBuilder::Placed GltfBuilder::add_vertices(GltfPrimitive& primitive,
+                                              const GltfInstance& instance) {
+  Placed placed{mesh_.positions.size(), false};
+  const std::size_t count = primitive.vertex_count();
+  const Values positions = primitive.read("POSITION", 3, 3);
+  Placement placement{instance.transform, std::nullopt};
+  if (instance.skin && primitive.has("JOINTS_0") && primitive.has("WEIGHTS_0")) {
+    spend(8 * count);
+    placement.joints.emplace(primitive.attributes(), count, joints_of(*instance.skin), accessors_,
+                             source_.name);
   }
-  return values;
-}
-
-void GltfBuilder::add_vertices(const Json& attributes, const Eigen::Matrix4d& world) {
-  const std::size_t base = mesh_.positions.size();
-  const std::size_t count = accessors_.count(*json_.index(attributes, "POSITION"));
-  const Values positions = read_attribute(attributes, "POSITION", count, 3, 3);
-  spend(count);
+  const auto is_mirror = [](const Eigen::Matrix4d& m) {
+    return m.topLeftCorner<3, 3>().determinant() < 0;
+  };
+  std::size_t turned_over = 0;
+  mesh_.positions.reserve(mesh_.positions.size() + count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 p = Eigen::Map<const Vec3>(&positions.values[3 * i]);
-    mesh_.positions.push_back((world * p.homogeneous()).head<3>());
+    if (placement.joints) {
+      const Eigen::Matrix4d matrix = placement.joints->matrix(i);
+      mesh_.positions.push_back((matrix * p.homogeneous()).head<3>());
+      turned_over += is_mirror(matrix);
+    } else {
+      mesh_.positions.push_back((placement.whole * p.homogeneous()).head<3>());
+    }
     if (!mesh_.positions.back().allFinite()) json_.fail("a transformed vertex is not finite");
   }
-  for (const auto& [key, accessor] : attributes.items()) {
+  placed.mirrored = placement.joints ? 2 * turned_over > count : is_mirror(placement.whole);
+  for (const auto& [key, accessor] : primitive.attributes().items()) {
     if (key == "NORMAL") {
-      add_normals(read_attribute(attributes, "NORMAL", count, 3, 3), world.topLeftCorner<3, 3>(),
-                  base);
+      add_normals(primitive.read("NORMAL", 3, 3), placement, placed.first);
     } else if (key == "TEXCOORD_0") {
-      const Values uvs = read_attribute(attributes, "TEXCOORD_0", count, 2, 2);
-      uvs_.resize(base, Vec2::Zero());
+      const Values uvs = primitive.read("TEXCOORD_0", 2, 2);
+      uvs_.resize(placed.first, Vec2::Zero());
       for (std::size_t i = 0; i < count; ++i) {
         uvs_.emplace_back(uvs.values[2 * i], 1 - uvs.values[2 * i + 1]);
       }
     } else if (key == "COLOR_0") {
-      add_colors(read_attribute(attributes, "COLOR_0", count, 3, 4), base);
+      add_colors(primitive.read("COLOR_0", 3, 4), placed.first);
     } else if (key.starts_with('_')) {
-      const Values values = accessors_.read(json_.as_index(accessor, "attributes"));
-      if (values.count != count) {
+      const std::size_t index = json_.as_index(accessor, "attributes");
+      if (accessors_.count(index) != count) {
         json_.fail(fmt::format("the accessor of {} has the wrong count", printable(key)));
       }
-      add_attribute(key, values, base);
+      add_attribute(key, accessors_.read(index), placed.first);
     }
   }
+  return placed;
 }
 
-void GltfBuilder::add_normals(const Values& normals, const Mat3& linear, std::size_t base) {
+void GltfBuilder::add_normals(const Values& normals, const Placement& placement, std::size_t base) {
   // Normals follow the cofactors: the inverse transposed, times the determinant.
-  Mat3 cofactors;
-  cofactors << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
-      linear.col(0).cross(linear.col(1));
-  if (linear.determinant() < 0) cofactors = -cofactors;
+  const auto cofactors_of = [](const Eigen::Matrix4d& matrix) {
+    const Mat3 linear = matrix.topLeftCorner<3, 3>();
+    Mat3 cofactors;
+    cofactors << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
+        linear.col(0).cross(linear.col(1));
+    return linear.determinant() < 0 ? Mat3(-cofactors) : cofactors;
+  };
+  Mat3 cofactors = cofactors_of(placement.whole);
   normals_.resize(base, Vec3::Zero());
   for (std::size_t i = 0; i < normals.count; ++i) {
+    if (placement.joints) cofactors = cofactors_of(placement.joints->matrix(i));
     const Vec3 n = cofactors * Eigen::Map<const Vec3>(&normals.values[3 * i]);
     normals_.push_back(n.allFinite() ? n : Vec3(0, 0, 0));
   }
@@ -194,7 +224,10 @@ void GltfBuilder::add_attribute(const std::string& key, const Values& values, st
 }
 
 SurfaceMesh GltfBuilder::finish() {
-  check_size(mesh_, name_);
+  if (skipped_primitives_ > 0) {
+    source_.warn(fmt::format("{} primitives of points or lines are not kept", skipped_primitives_));
+  }
+  check_size(mesh_, source_.name);
   for (const Json& material : json_.array(root_, "materials")) {
     const std::string text = material.is_object() ? json_.text(material, "name") : std::string();
     mesh_.material_names.push_back(

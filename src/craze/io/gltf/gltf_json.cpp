@@ -94,6 +94,13 @@ std::size_t GltfJson::index_or(const Json& object, const char* key, std::size_t 
   return index(object, key).value_or(fallback);
 }
 
+const Json* GltfJson::extension(const Json& object, const char* key) const {
+  const auto extensions = object.find("extensions");
+  if (extensions == object.end() || !extensions->is_object()) return nullptr;
+  const auto found = extensions->find(key);
+  return found != extensions->end() && found->is_object() ? &*found : nullptr;
+}
+
 std::string GltfJson::text(const Json& object, const char* key) const {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();

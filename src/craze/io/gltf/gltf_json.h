@@ -27,6 +27,8 @@ class GltfJson {
   std::size_t index_or(const Json& object, const char* key, std::size_t fallback) const;
   /// Such a number itself.
   std::size_t as_index(const Json& value, const char* what) const;
+  /// The extension of that name of an object, or nullptr.
+  const Json* extension(const Json& object, const char* key) const;
   /// The string of that name, or "".
   std::string text(const Json& object, const char* key) const;
   /// Fills n numbers from the array of that name; false where there is none.

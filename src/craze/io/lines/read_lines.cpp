@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/progress_meter.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
+#include "craze/io/bytes/text_encoding.h"
+#include "craze/io/files/extension.h"
 #include "craze/io/files/read_file.h"
 #include "craze/io/gltf/gltf_json.h"
 #include "craze/io/ply/ply_table.h"
-#include "craze/io/write_mesh.h"
 
 namespace craze {
 
@@ -32,10 +34,12 @@ std::int32_t to_index(double x) {
   return x >= 0 && x < 2147483647.0 && x == std::floor(x) ? static_cast<std::int32_t>(x) : -1;
 }
 
-LineSet parse_obj(std::string_view bytes, const std::string& name) {
+LineSet parse_obj(const MeshSource& source) {
   LineSet lines;
-  TextCursor text(bytes, name);
+  TextCursor text(source.bytes, source.name);
+  ProgressMeter meter(source.context, "load", source.bytes.size(), std::size_t{1} << 20);
   while (text.skip_blank()) {
+    meter.at(text.offset());
     const std::string_view keyword = text.word();
     if (keyword == "v") {
       const double x = text.number("a coordinate"), y = text.number("a coordinate");
@@ -90,12 +94,13 @@ std::optional<std::vector<Attribute>> take(std::vector<Attribute>& attributes,
   return taken;
 }
 
-LineSet parse_ply(std::string_view bytes, const std::string& name) {
-  const PlyHeader header = parse_ply_header(bytes, name);
+LineSet parse_ply(const MeshSource& source) {
+  const std::string& name = source.name;
+  const PlyHeader header = parse_ply_header(source.bytes, name);
   const auto is_line = [](const PlyElement& e) { return e.name == "edge"; };
   LineSet lines;
   if (std::none_of(header.elements.begin(), header.elements.end(), is_line)) return lines;
-  PlyBody body(bytes, header, name);
+  PlyBody body(source, header);
   for (const PlyElement& element : header.elements) {
     std::vector<PlyColumn> columns = body.read(element);
     if (element.name == "vertex") {
@@ -164,8 +169,9 @@ std::vector<Attribute> json_attributes(const Json& root, const char* key, std::s
   return attributes;
 }
 
-LineSet parse_json_lines(std::string_view bytes, const std::string& name) {
-  const Json root = parse_json(bytes, name);
+LineSet parse_json_lines(const MeshSource& source) {
+  const std::string& name = source.name;
+  const Json root = parse_json(source.bytes, name);
   if (!root.is_object() || !root.contains("points") || !root.contains("edges")) {
     fail_input(name, "it has no 'points' and 'edges'");
   }
@@ -186,29 +192,40 @@ LineSet parse_json_lines(std::string_view bytes, const std::string& name) {
   return lines;
 }
 
+using Reader = LineSet (*)(const MeshSource&);
+
+/// By the extension; null where lines are not read from it.
+Reader reader_of(const std::string& name) {
+  const std::string extension = lower_extension(name);
+  return extension == ".obj"    ? parse_obj
+         : extension == ".ply"  ? parse_ply
+         : extension == ".json" ? parse_json_lines
+                                : nullptr;
+}
+
 }  // namespace
 
-std::optional<LineSet> parse_lines(std::string_view bytes, const std::string& extension,
-                                   const std::string& name) {
-  LineSet lines;
-  if (extension == ".obj") {
-    lines = parse_obj(bytes, name);
-  } else if (extension == ".ply") {
-    lines = parse_ply(bytes, name);
-  } else if (extension == ".json") {
-    lines = parse_json_lines(bytes, name);
-  } else {
-    return std::nullopt;
+std::optional<LineSet> read_lines(std::string_view bytes, const std::string& name,
+                                  const Context& context) {
+  const Reader read = reader_of(name);
+  if (!read) return std::nullopt;
+  std::optional<std::string> text;
+  if (has_byte_order_mark(bytes)) {
+    text = decode_text(bytes, name);
+    bytes = *text;
   }
+  const FileLoader no_files;
+  std::vector<std::string> warnings, textures;
+  LineSet lines = read({bytes, name, no_files, context, warnings, textures});
   if (lines.edges.empty()) return std::nullopt;
   check(lines, name);
   return lines;
 }
 
-std::optional<LineSet> read_lines(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path);
-  if (extension != ".obj" && extension != ".ply" && extension != ".json") return std::nullopt;
-  return parse_lines(read_file(path, "cannot read lines"), extension, path.string());
+std::optional<LineSet> read_lines_file(const std::filesystem::path& path, const Context& context) {
+  const std::string name = path.string();
+  if (!reader_of(name)) return std::nullopt;
+  return read_lines(read_file(path, "cannot read lines", context), name, context);
 }
 
 }  // namespace craze

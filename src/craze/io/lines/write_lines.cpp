@@ -9,8 +9,8 @@
 #include "craze/base/error.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/files/atomic_file.h"
+#include "craze/io/files/extension.h"
 #include "craze/io/ply/ply_properties.h"
-#include "craze/io/write_mesh.h"
 
 namespace craze {
 
@@ -31,6 +31,19 @@ ordered_json to_json(const std::vector<Attribute>& attributes) {
     object[a.name] = std::move(rows);
   }
   return object;
+}
+
+using Formatter = std::string (*)(const LineSet&);
+
+constexpr const char* what = "cannot write lines";
+
+/// `where`: the file or the format, for messages.
+Formatter formatter_of(std::string_view format, const std::string& where) {
+  if (format == "ply") return format_lines_ply;
+  if (format == "obj") return format_lines_obj;
+  if (format == "svg") return format_lines_svg;
+  if (format == "json") return format_lines_json;
+  throw Error(ErrorKind::usage, what, where, "the extension must be .ply, .obj, .svg or .json");
 }
 
 }  // namespace
@@ -94,21 +107,15 @@ std::string format_lines_json(const LineSet& lines) {
   return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-void write_lines(const std::filesystem::path& path, const LineSet& lines) {
-  const char* what = "cannot write lines";
+std::string format_lines(const LineSet& lines, std::string_view format) {
+  return formatter_of(format, std::string(format))(lines);
+}
+
+void write_lines(const std::filesystem::path& path, const LineSet& lines, const Context& context) {
   const std::string extension = lower_extension(path);
-  if (extension == ".ply") {
-    write_file(path, format_lines_ply(lines), what);
-  } else if (extension == ".obj") {
-    write_file(path, format_lines_obj(lines), what);
-  } else if (extension == ".json") {
-    write_file(path, format_lines_json(lines), what);
-  } else if (extension == ".svg") {
-    write_file(path, format_lines_svg(lines), what);
-  } else {
-    throw Error(ErrorKind::usage, what, path.string(),
-                "the extension must be .ply, .obj, .svg or .json");
-  }
+  const Formatter format =
+      formatter_of(extension.empty() ? "" : extension.substr(1), path.string());
+  write_file(path, format(lines), what, context);
 }
 
 }  // namespace craze

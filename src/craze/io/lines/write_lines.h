@@ -1,18 +1,24 @@
-// Lines to a file.
+// Lines to bytes, or to a file.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
+#include "craze/base/context.h"
 #include "craze/mesh/line_set.h"
 
 namespace craze {
 
-/// Writes .ply (vertices and an `edge` element with all attributes), .obj (polylines), .svg or
-/// .json by extension, whole or not at all. Throws Error(usage) for another extension,
-/// Error(request) where the format cannot hold the lines, Error(output) where the file cannot be
-/// written.
-void write_lines(const std::filesystem::path& path, const LineSet& lines);
+/// The bytes of a file of that format: "ply" (vertices and an `edge` element with all attributes),
+/// "obj" (polylines), "svg" or "json". Throws Error(usage) for another format, Error(request) where
+/// it cannot hold the lines.
+std::string format_lines(const LineSet& lines, std::string_view format);
+
+/// Writes the format of the path's extension, whole or not at all. Throws as format_lines does,
+/// Error(output) where the file cannot be written, and Cancelled.
+void write_lines(const std::filesystem::path& path, const LineSet& lines,
+                 const Context& context = {});
 
 /// Binary little-endian PLY: `vertex` x y z and `edge` vertex1 vertex2, attributes as doubles
 /// (several components: NAME_0 NAME_1 …), UVs as edge properties s1 t1 s2 t2.

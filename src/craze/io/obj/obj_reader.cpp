@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <unordered_map>
 
+#include "craze/base/progress_meter.h"
+#include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
 #include "craze/io/obj/obj.h"
 #include "craze/io/polygons/polygon_soup.h"
@@ -13,12 +16,20 @@ namespace craze {
 
 namespace {
 
+/// Bytes between two looks at the clock.
+constexpr std::size_t meter_step = std::size_t{1} << 20;
+
+constexpr std::size_t longest_keyword = 20, most_kinds_named = 8;
+
 class ObjReader {
  public:
-  ObjReader(std::string_view bytes, const std::string& name) : text_(bytes, name), name_(name) {}
+  explicit ObjReader(const MeshSource& source)
+      : source_(source), text_(source.bytes, source.name) {}
 
   SurfaceMesh read() {
+    ProgressMeter meter(source_.context, "load", source_.bytes.size(), meter_step);
     while (text_.skip_blank()) {
+      meter.at(text_.offset());
       const std::string_view keyword = text_.word();
       if (keyword == "v") {
         read_vertex();
@@ -30,10 +41,13 @@ class ObjReader {
         read_face();
       } else if (keyword == "usemtl") {
         use_material(text_.rest_of_line());
+      } else if (!keyword.empty() && keyword != "s") {
+        leave_out(keyword);
       }
       text_.skip_line();
     }
-    SurfaceMesh mesh = triangulate(std::move(soup_), name_);
+    SurfaceMesh mesh = triangulate(std::move(soup_), source_);
+    warn_of_left_out();
     mesh.material_names = std::move(material_names_);
     if (!colors_.empty()) {
       colors_.resize(mesh.positions.size(), Color{1, 1, 1, 1});
@@ -68,19 +82,15 @@ class ObjReader {
     soup_.normals.emplace_back(x, y, text_.number("a normal"));
   }
 
-  /// Corners V, V/VT, V//VN or V/VT/VN.
+  /// Corners V, V/VT, V//VN or V/VT/VN; what is behind a slash may be missing.
   void read_face() {
     while (text_.more_on_line()) {
       SoupCorner corner;
-      corner.vertex = read_index(soup_.positions.size());
+      corner.vertex = read_vertex_index();
       if (text_.accept('/')) {
-        if (text_.accept('/')) {
-          corner.normal = read_index(soup_.normals.size());
-        } else if (!text_.at_word_end()) {
-          corner.uv = read_index(soup_.uvs.size());
-          if (text_.accept('/') && !text_.at_word_end()) {
-            corner.normal = read_index(soup_.normals.size());
-          }
+        if (!text_.at_word_end() && !text_.is_at('/')) corner.uv = read_index_of(soup_.uvs.size());
+        if (text_.accept('/') && !text_.at_word_end()) {
+          corner.normal = read_index_of(soup_.normals.size());
         }
       }
       if (!text_.at_word_end()) text_.fail("a face's corner is not of the form V/VT/VN");
@@ -93,13 +103,46 @@ class ObjReader {
 
   /// Counted from 1, or backwards from −1, the last one read so far; the upper end is checked when
   /// all have been read.
-  std::int32_t read_index(std::size_t count) {
+  std::int32_t read_vertex_index() {
+    const std::size_t count = soup_.positions.size();
     const std::int64_t i = text_.leading_integer("a face's index");
     const std::int64_t index = i < 0 ? static_cast<std::int64_t>(count) + i : i - 1;
     if (index < 0 || index >= std::numeric_limits<std::int32_t>::max()) {
       text_.fail(fmt::format("a face's index {} is out of range, {} are known here", i, count));
     }
     return static_cast<std::int32_t>(index);
+  }
+
+  /// The same of a UV or normal, which need not be there: −2 where none can be.
+  std::int32_t read_index_of(std::size_t count) {
+    const std::int64_t i = text_.leading_integer("a face's index");
+    const std::int64_t index = i < 0 ? static_cast<std::int64_t>(count) + i : i - 1;
+    const bool possible = index >= 0 && index < std::numeric_limits<std::int32_t>::max();
+    return possible ? static_cast<std::int32_t>(index) : -2;
+  }
+
+  /// Kinds beyond those that will be named count as one.
+  void leave_out(std::string_view keyword) {
+    const std::string key(keyword.substr(0, longest_keyword));
+    const auto known = left_out_.find(key);
+    if (known != left_out_.end()) {
+      ++known->second;
+    } else if (left_out_.size() <= most_kinds_named) {
+      left_out_.emplace(key, 1);
+    }
+  }
+
+  /// Names, in one sentence, the kinds of lines that were skipped and how many there were.
+  void warn_of_left_out() const {
+    std::string list;
+    std::size_t kinds = 0;
+    for (const auto& [keyword, count] : left_out_) {
+      if (++kinds > most_kinds_named) break;
+      list += fmt::format("{}{} '{}'", list.empty() ? "" : ", ", count, printable(keyword));
+    }
+    if (list.empty()) return;
+    source_.warn(fmt::format("lines of these kinds are not kept: {}{}", list,
+                             kinds > most_kinds_named ? " and more" : ""));
   }
 
   void use_material(std::string_view material) {
@@ -114,19 +157,20 @@ class ObjReader {
     material_ = found->second;
   }
 
+  const MeshSource& source_;
   TextCursor text_;
-  const std::string& name_;
   PolygonSoup soup_;
   std::vector<Color> colors_;
   std::vector<std::string> material_names_;
   std::unordered_map<std::string, std::int32_t> material_indices_;
   std::int32_t material_ = -1;
+  std::map<std::string, std::size_t> left_out_;  ///< lines by keyword
 };
 
 }  // namespace
 
-SurfaceMesh read_obj(std::string_view bytes, const std::string& name) {
-  return ObjReader(bytes, name).read();
+SurfaceMesh read_obj(const MeshSource& source) {
+  return ObjReader(source).read();
 }
 
 }  // namespace craze

@@ -3,6 +3,7 @@
 
 #include <iterator>
 
+#include "craze/base/progress_meter.h"
 #include "craze/io/obj/obj.h"
 #include "craze/io/polygons/mesh_parts.h"
 #include "craze/io/polygons/unify_corners.h"
@@ -26,8 +27,10 @@ std::string material_name(const SurfaceMesh& mesh, std::int32_t material) {
 
 }  // namespace
 
-std::string format_obj(const SurfaceMesh& mesh, const std::string& objects) {
+std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
+                       const Context& context) {
   const bool has_uvs = !mesh.corner_uvs.empty(), has_normals = !mesh.corner_normals.empty();
+  ProgressMeter meter(context, "write", mesh.positions.size() + mesh.triangles.size());
   const UnifiedCorners uvs = unify_corners(mesh, {.uvs = true, .normals = false});
   const UnifiedCorners normals = unify_corners(mesh, {.uvs = false, .normals = true});
 
@@ -35,6 +38,7 @@ std::string format_obj(const SurfaceMesh& mesh, const std::string& objects) {
   text.reserve(64 * mesh.positions.size() + 32 * mesh.triangles.size());
   const auto out = std::back_inserter(text);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    meter.at(v);
     const Vec3& p = mesh.positions[v];
     fmt::format_to(out, FMT_COMPILE("v {} {} {}"), p.x(), p.y(), p.z());
     if (!mesh.vertex_colors.empty()) {
@@ -51,7 +55,9 @@ std::string format_obj(const SurfaceMesh& mesh, const std::string& objects) {
   }
 
   std::int32_t material = -1;
+  std::size_t faces = 0;
   const auto add_face = [&](std::size_t f) {
+    meter.at(mesh.positions.size() + faces++);
     if (!mesh.face_materials.empty() && mesh.face_materials[f] != material) {
       material = mesh.face_materials[f];
       fmt::format_to(out, "usemtl {}\n", material_name(mesh, material));
@@ -72,11 +78,11 @@ std::string format_obj(const SurfaceMesh& mesh, const std::string& objects) {
     }
     text += '\n';
   };
-  if (objects.empty()) {
+  if (options.objects.empty()) {
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) add_face(f);
     return text;
   }
-  for (const MeshPart& part : mesh_parts(mesh, objects)) {
+  for (const MeshPart& part : mesh_parts(mesh, options.objects)) {
     text += "o " + part.name + "\n";
     for (const std::int32_t f : part.faces) add_face(f);
   }

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
+#include "craze/base/progress_meter.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
 #include "craze/io/off/off.h"
@@ -11,6 +14,11 @@
 namespace craze {
 
 namespace {
+
+/// Bytes between two looks at the clock.
+constexpr std::size_t meter_step = std::size_t{1} << 20;
+
+using RawColor = std::array<double, 4>;
 
 struct OffKind {
   bool uvs = false, colors = false, normals = false;
@@ -49,13 +57,18 @@ std::size_t read_count(TextCursor& text, const char* what, std::size_t bytes_eac
   return static_cast<std::size_t>(count);
 }
 
-std::vector<Color> to_colors(const std::vector<std::array<double, 4>>& raw) {
+/// 0 … 1, or 0 … 255 where one of them exceeds 1.
+double color_scale(const std::vector<RawColor>& raw) {
   double largest = 0;
-  for (const auto& c : raw) largest = std::max({largest, c[0], c[1], c[2]});
-  const double scale = largest > 1 ? 255 : 1;
+  for (const RawColor& c : raw) largest = std::max({largest, c[0], c[1], c[2]});
+  return largest > 1 ? 255 : 1;
+}
+
+std::vector<Color> to_colors(const std::vector<RawColor>& raw) {
+  const double scale = color_scale(raw);
   std::vector<Color> colors;
   colors.reserve(raw.size());
-  for (const auto& c : raw) {
+  for (const RawColor& c : raw) {
     Color& color = colors.emplace_back();
     for (std::size_t i = 0; i < 4; ++i) {
       // An alpha of 1 is opaque in either scale.
@@ -66,66 +79,188 @@ std::vector<Color> to_colors(const std::vector<std::array<double, 4>>& raw) {
   return colors;
 }
 
+/// Numbers are tokens, wherever lines end. Only what may be missing, colours and their alpha, is
+/// sought on the rest of the line, and only where the file has a line for every vertex and face.
+class OffReader {
+ public:
+  explicit OffReader(const MeshSource& source)
+      : source_(source),
+        text_(source.bytes, source.name),
+        meter_(source.context, "load", source.bytes.size(), meter_step) {}
+
+  SurfaceMesh read() {
+    kind_ = read_kind(text_);
+    vertices_ = read_count(text_, "the number of vertices", 6);
+    const std::size_t line = text_.line();
+    faces_ = read_count(text_, "the number of faces", 2);
+    // The number of edges means nothing and may be missing, but not where each has a line.
+    if (text_.more_on_line() || (text_.line() != line && text_.skip_blank())) {
+      text_.number("the number of edges");
+    }
+    body_ = text_;
+    read_vertices();
+    read_faces();
+    SurfaceMesh mesh = triangulate(std::move(soup_), source_);
+    if (kind_.colors) mesh.vertex_colors = to_colors(vertex_colors_);
+    add_face_colors(mesh);
+    warn();
+    return mesh;
+  }
+
+ private:
+  double next(const char* what) {
+    text_.skip_blank();
+    return text_.number(what);
+  }
+
+  bool has_line_per_row() {
+    if (!line_per_row_) {
+      const std::size_t rows = vertices_ + faces_;
+      TextCursor lines = body_;
+      std::size_t count = 0;
+      for (; count < rows && lines.skip_blank(); ++count) lines.skip_line();
+      line_per_row_ = count == rows;
+    }
+    return *line_per_row_;
+  }
+
+  /// Numbers on the rest of the line, at most four; what follows them is skipped too.
+  std::size_t rest_of_row(RawColor& numbers) {
+    if (!text_.more_on_line() || !has_line_per_row()) return 0;
+    std::size_t count = 0;
+    while (count < 4 && text_.more_on_line()) numbers[count++] = text_.number("a colour");
+    text_.skip_line();
+    return count;
+  }
+
+  void read_vertices() {
+    const char* what = "a vertex's number";
+    soup_.positions.reserve(vertices_);
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      meter_.at(text_.offset());
+      if (!text_.skip_blank()) {
+        text_.fail(fmt::format("the file ends after {} of {} vertices", v, vertices_));
+      }
+      const double x = next(what), y = next(what);
+      soup_.positions.emplace_back(x, y, next(what));
+      if (kind_.normals) {
+        const double nx = next(what), ny = next(what);
+        soup_.normals.emplace_back(nx, ny, next(what));
+      }
+      if (kind_.colors) read_vertex_color();
+      if (kind_.uvs) {
+        const double s = next(what);
+        soup_.uvs.emplace_back(s, next(what));
+      }
+      if (text_.more_on_line() && has_line_per_row()) {
+        ++longer_vertices_;
+        text_.skip_line();
+      }
+    }
+  }
+
+  void read_vertex_color() {
+    const char* what = "a vertex's colour";
+    const double r = next(what), g = next(what), b = next(what);
+    // A UV's two numbers may follow; alpha is there only if something stands before them.
+    TextCursor ahead = text_;
+    int left = 0;
+    while (ahead.more_on_line() && left < 3) {
+      ahead.word();
+      ++left;
+    }
+    const bool has_alpha = left > (kind_.uvs ? 2 : 0) && has_line_per_row();
+    vertex_colors_.push_back({r, g, b, has_alpha ? next(what) : 1.0});
+  }
+
+  void read_faces() {
+    for (std::size_t f = 0; f < faces_; ++f) {
+      meter_.at(text_.offset());
+      if (!text_.skip_blank()) {
+        text_.fail(fmt::format("the file ends after {} of {} faces", f, faces_));
+      }
+      const std::int64_t corners = text_.integer("a face's number of corners");
+      if (corners < 0) text_.fail("a face's number of corners is negative");
+      for (std::int64_t i = 0; i < corners; ++i) {
+        text_.skip_blank();
+        const std::int64_t v = text_.integer("a face's index");
+        if (v < 0 || static_cast<std::size_t>(v) >= vertices_) {
+          text_.fail(fmt::format("a face asks for vertex {} of {}", v, vertices_));
+        }
+        const auto index = static_cast<std::int32_t>(v);
+        soup_.corners.push_back({index, kind_.uvs ? index : -1, kind_.normals ? index : -1});
+      }
+      soup_.close_polygon();
+      RawColor color{};
+      const std::size_t numbers = rest_of_row(color);
+      if (numbers >= 3 && face_colors_.empty()) {
+        face_colors_.resize(f, RawColor{-1, -1, -1, 1});  // none
+      }
+      if (numbers == 1) ++color_map_faces_;
+      if (!face_colors_.empty() || numbers >= 3) {
+        face_colors_.push_back(numbers >= 3 ? color : RawColor{-1, -1, -1, 1});
+      }
+    }
+  }
+
+  /// As face attributes red, green and blue, 0 … 255; a face without a colour is white.
+  void add_face_colors(SurfaceMesh& mesh) const {
+    if (face_colors_.empty()) return;
+    const double scale = 255 / color_scale(face_colors_);
+    const char* names[] = {"red", "green", "blue"};
+    for (std::size_t c = 0; c < 3; ++c) {
+      Attribute channel{names[c], 1, {}};
+      channel.values.reserve(mesh.source_faces.size());
+      for (const std::int32_t f : mesh.source_faces) {
+        const double value = face_colors_[static_cast<std::size_t>(f)][c];
+        channel.values.push_back(value < 0 ? 255
+                                           : std::clamp(std::round(value * scale), 0.0, 255.0));
+      }
+      mesh.face_attributes.push_back(std::move(channel));
+    }
+  }
+
+  void warn() const {
+    if (color_map_faces_ > 0) {
+      source_.warn(
+          fmt::format("{} faces name a colour of a map that is not in the file; they are "
+                      "left without",
+                      color_map_faces_));
+    }
+    if (longer_vertices_ > 0) {
+      source_.warn(
+          fmt::format("{} vertices have more numbers than the file's first word says; "
+                      "these are not read",
+                      longer_vertices_));
+    }
+  }
+
+  const MeshSource& source_;
+  TextCursor text_, body_ = text_;
+  ProgressMeter meter_;
+  OffKind kind_;
+  std::size_t vertices_ = 0, faces_ = 0;
+  std::optional<bool> line_per_row_;  ///< once it matters
+  PolygonSoup soup_;
+  std::vector<RawColor> vertex_colors_, face_colors_;
+  std::size_t color_map_faces_ = 0, longer_vertices_ = 0;
+};
+
 }  // namespace
 
-SurfaceMesh read_off(std::string_view bytes, const std::string& name) {
-  TextCursor text(bytes, name);
-  const OffKind kind = read_kind(text);
-  const std::size_t vertices = read_count(text, "the number of vertices", 6);
-  const std::size_t faces = read_count(text, "the number of faces", 2);
-  text.skip_line();  // the number of edges means nothing
+bool is_off(std::string_view bytes) {
+  const std::string none;
+  TextCursor text(bytes.substr(0, 1000), none);
+  if (!text.skip_blank()) return false;
+  std::string_view word = text.word();
+  for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) {
+    if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+  }
+  return word == "OFF";
+}
 
-  PolygonSoup soup;
-  std::vector<std::array<double, 4>> colors;
-  soup.positions.reserve(vertices);
-  for (std::size_t v = 0; v < vertices; ++v) {
-    if (!text.skip_blank()) {
-      text.fail(fmt::format("the file ends after {} of {} vertices", v, vertices));
-    }
-    const auto next = [&] { return text.number("a vertex's number"); };
-    const double x = next(), y = next();
-    soup.positions.emplace_back(x, y, next());
-    if (kind.normals) {
-      const double nx = next(), ny = next();
-      soup.normals.emplace_back(nx, ny, next());
-    }
-    if (kind.colors) {
-      const double r = next(), g = next(), b = next();
-      // A UV's two numbers may follow; alpha is there only if something stands before them.
-      TextCursor ahead = text;
-      int left = 0;
-      while (ahead.more_on_line() && left < 3) {
-        ahead.word();
-        ++left;
-      }
-      colors.push_back({r, g, b, left > (kind.uvs ? 2 : 0) ? next() : 1.0});
-    }
-    if (kind.uvs) {
-      const double s = next();
-      soup.uvs.emplace_back(s, next());
-    }
-    text.skip_line();
-  }
-  for (std::size_t f = 0; f < faces; ++f) {
-    if (!text.skip_blank()) {
-      text.fail(fmt::format("the file ends after {} of {} faces", f, faces));
-    }
-    const std::int64_t corners = text.integer("a face's number of corners");
-    if (corners < 0) text.fail("a face's number of corners is negative");
-    for (std::int64_t i = 0; i < corners; ++i) {
-      const std::int64_t v = text.integer("a face's index");
-      if (v < 0 || static_cast<std::size_t>(v) >= vertices) {
-        text.fail(fmt::format("a face asks for vertex {} of {}", v, vertices));
-      }
-      const auto index = static_cast<std::int32_t>(v);
-      soup.corners.push_back({index, kind.uvs ? index : -1, kind.normals ? index : -1});
-    }
-    soup.close_polygon();
-    text.skip_line();
-  }
-  SurfaceMesh mesh = triangulate(std::move(soup), name);
-  if (kind.colors) mesh.vertex_colors = to_colors(colors);
-  return mesh;
+SurfaceMesh read_off(const MeshSource& source) {
+  return OffReader(source).read();
 }
 
 }  // namespace craze

@@ -22,6 +22,8 @@ PlyType parse_type(TextCursor& text) {
   if (w == "ushort" || w == "uint16") return PlyType::uint16;
   if (w == "int" || w == "int32") return PlyType::int32;
   if (w == "uint" || w == "uint32") return PlyType::uint32;
+  if (w == "int64") return PlyType::int64;
+  if (w == "uint64") return PlyType::uint64;
   if (w == "float" || w == "float32") return PlyType::float32;
   if (w == "double" || w == "float64") return PlyType::float64;
   text.fail(fmt::format("'{}' is not a property type", printable(w)));
@@ -82,6 +84,8 @@ std::size_t size_of(PlyType type) {
     case PlyType::uint32:
     case PlyType::float32:
       return 4;
+    case PlyType::int64:
+    case PlyType::uint64:
     case PlyType::float64:
       return 8;
   }
@@ -111,7 +115,9 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
       if (properties.size() > max_properties) text.fail("an element has too many properties");
     } else if (keyword == "comment") {
       text.more_on_line();
-      if (text.word() == "material") header.materials.emplace_back(text.rest_of_line());
+      const std::string_view what = text.word();
+      if (what == "material") header.materials.emplace_back(text.rest_of_line());
+      if (what == "TextureFile") header.textures.emplace_back(text.rest_of_line());
     } else if (keyword != "obj_info") {
       text.fail(fmt::format("'{}' is not a PLY header line", printable(keyword)));
     }
@@ -119,6 +125,9 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
   if (!has_format) text.fail("the header has no format line");
   text.skip_line();
   header.size = text.offset();
+  // Where lines end with \r alone, a \n that follows the header is the first byte of its rows.
+  const bool lone_returns = bytes.starts_with("ply\r") && !bytes.starts_with("ply\r\n");
+  if (lone_returns && bytes[header.size - 1] == '\n') --header.size;
   header.lines = text.line() - 1;
   return header;
 }

@@ -10,7 +10,7 @@ namespace craze {
 
 enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
 
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
 /// Bytes of one value in a binary file.
 std::size_t size_of(PlyType type);
@@ -32,6 +32,7 @@ struct PlyHeader {
   PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;
   std::vector<std::string> materials;  ///< of "comment material NAME" lines
+  std::vector<std::string> textures;   ///< of "comment TextureFile NAME" lines
   std::size_t size = 0;                ///< bytes up to and with the end_header line
   std::size_t lines = 0;
 };

@@ -52,6 +52,15 @@ const PlyColumn& PlyRows::take_list(const std::string& property) {
   return columns_[find(property, true)];
 }
 
+std::vector<std::string> PlyRows::lists_left() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const PlyProperty& p = element_.properties[i];
+    if (p.is_list && !taken_[i] && !columns_[i].values.empty()) names.push_back(p.name);
+  }
+  return names;
+}
+
 std::size_t PlyRows::components_from(std::size_t first, const std::string& stem) const {
   std::size_t n = 1;
   while (first + n < columns_.size() && is_spare(first + n) &&

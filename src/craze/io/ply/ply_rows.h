@@ -27,6 +27,8 @@ class PlyRows {
   const std::vector<double>& take(const std::string& property);
   const PlyColumn& take_list(const std::string& property);
 
+  /// The names of the lists not taken.
+  std::vector<std::string> lists_left() const;
   /// The scalars not taken, NAME_0 NAME_1 … as one.
   std::vector<Attribute> attributes() const;
 

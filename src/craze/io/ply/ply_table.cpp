@@ -25,6 +25,10 @@ double load_as(PlyType type, const char* p, std::endian order) {
       return load<std::int32_t>(p, order);
     case PlyType::uint32:
       return load<std::uint32_t>(p, order);
+    case PlyType::int64:
+      return static_cast<double>(load<std::int64_t>(p, order));
+    case PlyType::uint64:
+      return static_cast<double>(load<std::uint64_t>(p, order));
     case PlyType::float32:
       return load<float>(p, order);
     case PlyType::float64:
@@ -52,11 +56,14 @@ bool has_list(const PlyElement& element) {
 
 }  // namespace
 
-PlyBody::PlyBody(std::string_view bytes, const PlyHeader& header, const std::string& name)
+PlyBody::PlyBody(const MeshSource& source, const PlyHeader& header)
     : header_(header),
-      name_(name),
-      rest_(bytes.substr(header.size)),
-      text_(rest_, name, header.lines + 1) {}
+      name_(source.name),
+      size_(source.bytes.size()),
+      meter_(source.context, "load", size_, std::size_t{1} << 20),
+      rest_(source.bytes.substr(header.size)),
+      text_(rest_, name_, header.lines + 1),
+      text_at_start_(text_) {}
 
 void PlyBody::fail_short(const PlyElement& element) const {
   fail_input(name_, fmt::format("it is too short for the {} '{}' rows its header promises",
@@ -94,6 +101,7 @@ void PlyBody::read_ascii(const PlyElement& element, std::vector<PlyColumn>& colu
     return text_.number(p.name.c_str());
   };
   for (std::size_t row = 0; row < element.count; ++row) {
+    meter_.at(size_ - text_.remaining());
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const PlyProperty& property = element.properties[i];
       PlyColumn& column = columns[i];
@@ -107,7 +115,24 @@ void PlyBody::read_ascii(const PlyElement& element, std::vector<PlyColumn>& colu
       for (std::int64_t k = 0; k < length; ++k) column.values.push_back(number(property));
       column.ends.push_back(column.values.size());
     }
+    skip_surplus();
   }
+}
+
+void PlyBody::skip_surplus() {
+  if (!text_.more_on_line()) return;
+  if (!line_per_row_) {
+    // Numbers left over mean that rows are longer than declared, if there is a line for each row.
+    std::size_t rows = 0;
+    for (const PlyElement& e : header_.elements) rows += e.properties.empty() ? 0 : e.count;
+    TextCursor lines = text_at_start_;
+    std::size_t count = 0;
+    for (; count < rows && lines.skip_blank(); ++count) lines.skip_line();
+    line_per_row_ = count == rows;
+  }
+  if (!*line_per_row_) return;
+  ++surplus_rows_;
+  text_.skip_line();
 }
 
 void PlyBody::read_fixed(const PlyElement& element, std::vector<PlyColumn>& columns) {
@@ -116,6 +141,7 @@ void PlyBody::read_fixed(const PlyElement& element, std::vector<PlyColumn>& colu
   const std::size_t stride = smallest_row(element, header_.format);
   std::size_t offset = 0;
   for (std::size_t i = 0; i < columns.size(); ++i) {
+    meter_.at(size_ - rest_.size());
     const PlyType type = element.properties[i].type;
     const char* p = rest_.data() + offset;
     for (double& value : columns[i].values) {
@@ -137,6 +163,7 @@ double PlyBody::next(PlyType type) {
 
 void PlyBody::read_lists(const PlyElement& element, std::vector<PlyColumn>& columns) {
   for (std::size_t row = 0; row < element.count; ++row) {
+    meter_.at(size_ - rest_.size());
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const PlyProperty& property = element.properties[i];
       const PlyType first = property.is_list ? property.count_type : property.type;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/progress_meter.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/ply/ply.h"
 #include "craze/io/ply/ply_properties.h"
@@ -18,9 +19,17 @@ std::string one_line(std::string text) {
   return text;
 }
 
+/// Whether other programs take the attribute for a channel of the faces' colour, in whole numbers.
+bool is_color_channel(const Attribute& a) {
+  const bool named = a.name == "red" || a.name == "green" || a.name == "blue" || a.name == "alpha";
+  return named && a.components == 1 && std::all_of(a.values.begin(), a.values.end(), [](double x) {
+           return x >= 0 && x <= 255 && x == std::floor(x);
+         });
+}
+
 }  // namespace
 
-std::string format_ply(const SurfaceMesh& mesh) {
+std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions&, const Context& context) {
   const UnifiedCorners unified = unify_corners(mesh);
   const auto source = [&](std::size_t i) { return static_cast<std::size_t>(unified.sources[i]); };
 
@@ -51,7 +60,15 @@ std::string format_ply(const SurfaceMesh& mesh) {
     face.add("material_index", "int",
              [&mesh](std::string& bytes, std::size_t f) { append(bytes, mesh.face_materials[f]); });
   }
-  for (const Attribute& a : mesh.face_attributes) face.add_attribute(a);
+  for (const Attribute& a : mesh.face_attributes) {
+    if (is_color_channel(a)) {
+      face.add(a.name, "uchar", [&a](std::string& bytes, std::size_t f) {
+        append(bytes, static_cast<std::uint8_t>(a.values[f]));
+      });
+    } else {
+      face.add_attribute(a);
+    }
+  }
 
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment craze\n";
   for (const std::string& material : mesh.material_names) {
@@ -61,8 +78,13 @@ std::string format_ply(const SurfaceMesh& mesh) {
       "element vertex {}\n{}element face {}\nproperty list uchar int "
       "vertex_indices\n{}end_header\n",
       unified.sources.size(), vertex.header(), mesh.triangles.size(), face.header());
-  for (std::size_t i = 0; i < unified.sources.size(); ++i) vertex.append_row(bytes, i);
+  ProgressMeter meter(context, "write", unified.sources.size() + mesh.triangles.size());
+  for (std::size_t i = 0; i < unified.sources.size(); ++i) {
+    meter.at(i);
+    vertex.append_row(bytes, i);
+  }
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    meter.at(unified.sources.size() + f);
     append(bytes, std::uint8_t{3});
     for (const std::int32_t v : unified.triangles[f]) append(bytes, v);
     face.append_row(bytes, f);

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
+#include "craze/base/progress_meter.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/polygons/face_normal.h"
 #include "craze/io/polygons/polygon.h"
@@ -24,8 +26,8 @@ class Triangulator {
  public:
   Triangulator(const PolygonSoup& soup, const std::string& name) : soup_(soup), name_(name) {
     for (const SoupCorner& c : soup.corners) {
-      has_uvs_ = has_uvs_ || c.uv >= 0;
-      has_normals_ = has_normals_ || c.normal >= 0;
+      has_uvs_ = has_uvs_ || in_range(c.uv, soup.uvs.size());
+      has_normals_ = has_normals_ || in_range(c.normal, soup.normals.size());
     }
     const std::size_t fewest = soup.corners.size() / 3;
     mesh.triangles.reserve(fewest);
@@ -69,28 +71,21 @@ class Triangulator {
   }
 
   void check(const SoupCorner& c, std::size_t polygon) const {
-    if (!in_range(c.vertex, soup_.positions.size())) {
-      fail_index(polygon, "vertex", c.vertex, soup_.positions.size());
-    }
-    if (c.uv != -1 && !in_range(c.uv, soup_.uvs.size())) {
-      fail_index(polygon, "texture coordinate", c.uv, soup_.uvs.size());
-    }
-    if (c.normal != -1 && !in_range(c.normal, soup_.normals.size())) {
-      fail_index(polygon, "normal", c.normal, soup_.normals.size());
-    }
-  }
-
-  [[noreturn]] void fail_index(std::size_t polygon, const char* what, std::int32_t index,
-                               std::size_t count) const {
+    if (in_range(c.vertex, soup_.positions.size())) return;
     // Lines belong to OBJ, which counts from 1.
-    const std::int64_t shown = soup_.lines.empty() ? index : std::int64_t{index} + 1;
-    fail_input(where(polygon), fmt::format("a corner asks for {} {} of {}", what, shown, count));
+    const std::int64_t shown = soup_.lines.empty() ? c.vertex : std::int64_t{c.vertex} + 1;
+    fail_input(where(polygon),
+               fmt::format("a corner asks for vertex {} of {}", shown, soup_.positions.size()));
   }
 
   void add_corner(const SoupCorner& c) {
-    if (has_uvs_) mesh.corner_uvs.push_back(c.uv < 0 ? Vec2(0, 0) : soup_.uvs[c.uv]);
+    if (has_uvs_) {
+      const bool given = in_range(c.uv, soup_.uvs.size());
+      mesh.corner_uvs.push_back(given ? soup_.uvs[c.uv] : Vec2(0, 0));
+    }
     if (has_normals_) {
-      mesh.corner_normals.push_back(c.normal < 0 ? Vec3(0, 0, 0) : soup_.normals[c.normal]);
+      const bool given = in_range(c.normal, soup_.normals.size());
+      mesh.corner_normals.push_back(given ? soup_.normals[c.normal] : Vec3(0, 0, 0));
     }
   }
 
@@ -101,12 +96,30 @@ class Triangulator {
   std::vector<Vec3> outline_;
 };
 
+/// Of indices that name something, those that name nothing there is.
+void warn_of_missing(const MeshSource& source, const PolygonSoup& soup, const char* what,
+                     std::int32_t SoupCorner::*index, std::size_t count) {
+  const auto missing = std::count_if(
+      soup.corners.begin(), soup.corners.end(),
+      [&](const SoupCorner& c) { return c.*index != -1 && !in_range(c.*index, count); });
+  if (missing == 0) return;
+  source.warn(fmt::format("{} corners name {} that the file never gives; they are left without",
+                          missing, what));
+}
+
 }  // namespace
 
-SurfaceMesh triangulate(PolygonSoup&& soup, const std::string& name) {
+SurfaceMesh triangulate(PolygonSoup&& soup, const MeshSource& source) {
+  const std::string& name = source.name;
   if (soup.ends.size() > max_index) fail_input(name, "it has more than 2^31 - 1 faces");
+  warn_of_missing(source, soup, "texture coordinates", &SoupCorner::uv, soup.uvs.size());
+  warn_of_missing(source, soup, "normals", &SoupCorner::normal, soup.normals.size());
   Triangulator triangulator(soup, name);
-  for (std::size_t p = 0; p < soup.ends.size(); ++p) triangulator.add(p);
+  ProgressMeter meter(source.context, {}, soup.ends.size());
+  for (std::size_t p = 0; p < soup.ends.size(); ++p) {
+    meter.at(p);
+    triangulator.add(p);
+  }
   SurfaceMesh mesh = std::move(triangulator.mesh);
   mesh.positions = std::move(soup.positions);
   check_size(mesh, name);

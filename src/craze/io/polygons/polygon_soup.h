@@ -3,11 +3,13 @@
 
 #include <string>
 
+#include "craze/io/mesh_source.h"
 #include "craze/mesh/surface_mesh.h"
 
 namespace craze {
 
-/// Indices into the soup's lists; −1: not given. A vertex index is always given.
+/// Indices into the soup's lists; −1: not given. A vertex index is always given. A UV or normal
+/// that is out of range was promised and never given.
 struct SoupCorner {
   std::int32_t vertex = -1, uv = -1, normal = -1;
 };
@@ -28,9 +30,10 @@ struct PolygonSoup {
 
 /// Checks every index, cuts the polygons into triangles and fills positions, triangles,
 /// source_faces, corner_uvs, corner_normals and face_materials. Polygons of fewer than three
-/// corners vanish. A corner without a UV gets (0, 0), one without a normal its triangle's. Throws
-/// Error(input) for an index out of range and where no triangle is left.
-SurfaceMesh triangulate(PolygonSoup&& soup, const std::string& name);
+/// corners vanish. A corner without a UV gets (0, 0), one without a normal its triangle's; warns
+/// where they were never given. Throws Error(input) for a vertex out of range and where no triangle
+/// is left.
+SurfaceMesh triangulate(PolygonSoup&& soup, const MeshSource& source);
 
 /// Throws Error(input) for a mesh that has no triangle, or more vertices or corners than 2³¹ − 1.
 void check_size(const SurfaceMesh& mesh, const std::string& name);

@@ -1,10 +1,11 @@
+#include "craze/io/files/sibling_files.h"
+
 #include <fmt/format.h>
 
 #include <system_error>
 
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/files/read_file.h"
-#include "craze/io/gltf/gltf.h"
 
 namespace craze {
 
@@ -55,8 +56,8 @@ bool is_inside(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
-GltfLoader load_from_folder(const fs::path& folder) {
-  return [folder](const std::string& uri) {
+FileLoader load_from_folder(const fs::path& folder, const Context& context) {
+  return [folder, &context](const std::string& uri) {
     const std::string text = decode_percent(uri);
     const auto refuse = [&](const char* why) {
       fail_input(folder.string(), fmt::format("buffer file '{}' {}", printable(uri), why));
@@ -72,7 +73,7 @@ GltfLoader load_from_folder(const fs::path& folder) {
     if (broken) refuse("cannot be found");
     if (!is_inside(path, root)) refuse("is a link that leads out of the model's folder");
     if (fs::exists(path, broken) && !fs::is_regular_file(path, broken)) refuse("is not a file");
-    return read_file(path);
+    return read_file(path, "cannot read mesh", context);
   };
 }
 
