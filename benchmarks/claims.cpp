@@ -134,7 +134,7 @@ int main(int argc, char** argv) {
   measure_alpha("quasistatic", "plate?n=60&jitter=0.3", mud);
   measure_density("shape:bumps", make_shape("bumps?n=30"));
   if (argc > 1)
-    measure_density("bunny_51k.obj", read_mesh(std::string(argv[1]) + "/bunny_51k.obj"));
+    measure_density("bunny_51k.obj", read_mesh_file(std::string(argv[1]) + "/bunny_51k.obj").mesh);
   measure_bias();
   measure_border();
   measure_impact();

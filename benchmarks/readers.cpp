@@ -41,7 +41,7 @@ class SampleFile {
 void read_file(benchmark::State& state) {
   const std::string format = formats[state.range(0)];
   const SampleFile file(format);
-  for (auto _ : state) benchmark::DoNotOptimize(read_mesh(file.path()));
+  for (auto _ : state) benchmark::DoNotOptimize(read_mesh_file(file.path()));
   file.count(state);
   state.SetLabel(format);
 }

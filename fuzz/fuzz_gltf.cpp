@@ -1,8 +1,6 @@
-#include "craze/io/gltf.h"
+#include "craze/io/gltf/gltf.h"
 #include "fuzz_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return craze::fuzz_reader(data, size, [](std::string_view bytes, const std::string& name) {
-    return craze::read_gltf(bytes, name);  // no loader: no file is opened
-  });
+  return craze::fuzz_reader(data, size, craze::read_gltf);
 }

@@ -1,4 +1,4 @@
-#include "craze/io/obj.h"
+#include "craze/io/obj/obj.h"
 #include "fuzz_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "craze/base/error.h"
+#include "craze/io/mesh_source.h"
 #include "craze/mesh/surface_mesh.h"
 
 namespace craze {
@@ -44,15 +47,22 @@ inline void check_promises(const SurfaceMesh& mesh) {
   }
 }
 
-/// Reads the bytes; any exception but Error(input) is a find, and so is a message of two lines.
-template <class Reader>
-int fuzz_reader(const std::uint8_t* data, std::size_t size, Reader reader) {
+/// Reads the bytes; any exception but Error(input) is a find, and so is a message or warning of two
+/// lines. No other file is opened.
+inline int fuzz_reader(const std::uint8_t* data, std::size_t size,
+                       SurfaceMesh (*reader)(const MeshSource&)) {
+  const std::string name = "fuzz";
+  const FileLoader no_files;
+  const Context context;
+  std::vector<std::string> warnings, textures;
   try {
-    check_promises(reader(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz"));
+    check_promises(reader({std::string_view(reinterpret_cast<const char*>(data), size), name,
+                           no_files, context, warnings, textures}));
   } catch (const Error& e) {
     require(e.kind() == ErrorKind::input);
     require(std::string_view(e.what()).find('\n') == std::string_view::npos);
   }
+  for (const std::string& w : warnings) require(w.find('\n') == std::string::npos);
   return 0;
 }
 

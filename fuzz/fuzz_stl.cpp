@@ -1,4 +1,4 @@
-#include "craze/io/stl.h"
+#include "craze/io/stl/stl.h"
 #include "fuzz_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,7 +6,7 @@ set -eu
 seconds=${1:-60}
 here=$(cd "$(dirname "$0")" && pwd)
 build=${CRAZE_FUZZ_BUILD:-$here/../build/fuzz}
-for format in obj ply stl off gltf recipe; do
+for format in obj ply stl off gltf mesh lines image recipe; do
   echo "fuzz_$format: $seconds s"
   mkdir -p "$build/found/$format"
   "$build/fuzz/fuzz_$format" "$build/found/$format" "$here/corpus/$format" \

@@ -7,7 +7,7 @@ packages=(
   build-essential cmake ninja-build                  # compiler and build
   libeigen3-dev libtbb-dev libfmt-dev                # linear algebra, threads, text
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev # command line, recipes, reports
-  libembree-dev libpng-dev                           # pictures
+  libembree-dev libpng-dev libjpeg-dev               # pictures
   libgtest-dev librapidcheck-dev libassimp-dev       # tests; assimp reads back what craze writes
 )
 development=(

@@ -6,7 +6,7 @@
 
 #include "app.h"
 #include "craze/base/error.h"
-#include "craze/io/atomic_file.h"
+#include "craze/io/files/atomic_file.h"
 #include "craze/job/figure_run.h"
 #include "interrupt.h"
 #include "progress_line.h"

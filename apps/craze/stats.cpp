@@ -5,8 +5,9 @@
 
 #include "app.h"
 #include "craze/base/error.h"
-#include "craze/io/atomic_file.h"
+#include "craze/io/files/atomic_file.h"
 #include "craze/job/graph_from_file.h"
+#include "craze/products/statistics/graph/graph_input.h"
 #include "craze/products/statistics/graph/simplify_lines.h"
 #include "craze/products/statistics/plots/plots.h"
 #include "craze/products/statistics/statistics_report.h"

@@ -11,6 +11,7 @@
 
 #include "craze/craze.h"
 #include "craze/engine/engine.h"
+#include "craze/mesh/line_set.h"
 #include "craze/mesh/surface_mesh.h"
 #include "craze/products/products.h"
 #include "craze/recipe/recipe.h"

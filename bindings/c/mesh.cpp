@@ -157,7 +157,7 @@ craze_mesh* craze_mesh_new(const double* vertices, int64_t n, const int32_t* fac
 craze_mesh* craze_mesh_read(const char* path, craze_error* error) {
   return guarded(error, [&] {
     require(path, "path");
-    return new craze_mesh(read_mesh(path));
+    return new craze_mesh(read_mesh_file(path).mesh);
   });
 }
 

@@ -74,7 +74,7 @@ TEST_F(Crack, TheSameBytesOnAnyNumberOfThreads) {
 
 TEST_F(Crack, TheMeshCarriesCrackAndInputAttributes) {
   ASSERT_EQ(run(with(small_run, {"-o", "a.ply"})).code, 0);
-  const SurfaceMesh mesh = read_mesh(file("a.ply"));
+  const SurfaceMesh mesh = read_mesh_file(file("a.ply")).mesh;
   EXPECT_FALSE(mesh.corner_uvs.empty());
   const Attribute* distance = find_attribute(mesh.vertex_attributes, "crack_distance");
   const Attribute* time = find_attribute(mesh.vertex_attributes, "crack_time");
@@ -103,7 +103,7 @@ TEST_F(Crack, BeforeTheFirstCrackTheFieldsAreThoseOfTheRecipe) {
                  "stress.noise=0", "--set", "stress.uniform=2"})
                 .code,
             0);
-  const SurfaceMesh mesh = read_mesh(file("f.ply"));
+  const SurfaceMesh mesh = read_mesh_file(file("f.ply")).mesh;
   EXPECT_EQ(mesh.triangles.size(), 2u * 8 * 8);
   const auto value = [&](const std::vector<Attribute>& attributes, const char* name,
                          std::size_t i) {
@@ -144,7 +144,8 @@ TEST_F(Crack, TheFieldsAreThoseAtTheLoadOfTheReport) {
   ASSERT_EQ(result.code, 0) << result.err;
   const double load = nlohmann::json::parse(result.out)["load"];
   EXPECT_GT(load, 1.3);
-  const SurfaceMesh fields = read_mesh(file("f.ply")), mesh = read_mesh(file("a.ply"));
+  const SurfaceMesh fields = read_mesh_file(file("f.ply")).mesh,
+                    mesh = read_mesh_file(file("a.ply")).mesh;
   const Attribute* distance = find_attribute(mesh.vertex_attributes, "crack_distance");
   const Attribute* stress = find_attribute(fields.face_attributes, "s_xx");
   ASSERT_TRUE(distance && stress);
@@ -181,7 +182,7 @@ TEST_F(Crack, CtrlCWritesWhatThereIsAndExitsWith130) {
   EXPECT_EQ(result.code, 130);
   EXPECT_EQ(files(), (std::set<std::string>{"a.ply", "r.json"}));
   EXPECT_EQ(nlohmann::json::parse(read_text(file("r.json")))["stop_reason"], "cancelled");
-  EXPECT_EQ(read_mesh(file("a.ply")).triangles.size(), 2u * 20 * 20);
+  EXPECT_EQ(read_mesh_file(file("a.ply")).mesh.triangles.size(), 2u * 20 * 20);
 }
 
 TEST_F(Crack, GapsAndWallsCloseTheSurfaceAgain) {
@@ -190,7 +191,8 @@ TEST_F(Crack, GapsAndWallsCloseTheSurfaceAgain) {
       run(with(small_run, {"-o", "open.ply", "--set", "post.gap=0.2", "--set", "post.wall=0.1"}))
           .code,
       0);
-  const SurfaceMesh shut = read_mesh(file("shut.ply")), open = read_mesh(file("open.ply"));
+  const SurfaceMesh shut = read_mesh_file(file("shut.ply")).mesh,
+                    open = read_mesh_file(file("open.ply")).mesh;
   EXPECT_GT(open.triangles.size(), shut.triangles.size());
   EXPECT_EQ(open.material_names, std::vector<std::string>{"crack_wall"});
   EXPECT_EQ(open.corner_uvs.size(), 3 * open.triangles.size());

@@ -3,7 +3,7 @@
 
 #include "app/command.h"
 #include "craze/base/error.h"
-#include "craze/io/byte_order.h"
+#include "craze/io/bytes/byte_order.h"
 #include "craze/io/read_mesh.h"
 
 namespace craze {
@@ -59,7 +59,8 @@ TEST_F(Growth, AnAnimatedGlbPlaysInStagesAndRestsOpen) {
   EXPECT_EQ(glb["animations"][0]["channels"][0]["target"]["path"], "weights");
   // Readers that know no animation see what is written without.
   ASSERT_EQ(run(mud + gaps + std::vector<std::string>{"-o", "b.glb"}).code, 0);
-  EXPECT_EQ(read_mesh(file("a.glb")).positions, read_mesh(file("b.glb")).positions);
+  EXPECT_EQ(read_mesh_file(file("a.glb")).mesh.positions,
+            read_mesh_file(file("b.glb")).mesh.positions);
 }
 
 TEST_F(Growth, FramesAsMeshesHaveOneTopologyAndOpenMoreAndMore) {
@@ -69,10 +70,10 @@ TEST_F(Growth, FramesAsMeshesHaveOneTopologyAndOpenMoreAndMore) {
                                    "--frame-format", "ply"});
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(count(".ply"), 5u);
-  const SurfaceMesh whole = read_mesh(file("a.ply"));
+  const SurfaceMesh whole = read_mesh_file(file("a.ply")).mesh;
   double before = -1;
   for (int i = 0; i < 5; ++i) {
-    const SurfaceMesh frame = read_mesh(file("f/frame_000" + std::to_string(i) + ".ply"));
+    const SurfaceMesh frame = read_mesh_file(file("f/frame_000" + std::to_string(i) + ".ply")).mesh;
     EXPECT_EQ(frame.triangles, whole.triangles);
     const Attribute* openness = find_attribute(frame.vertex_attributes, "openness");
     ASSERT_TRUE(openness);
@@ -114,7 +115,8 @@ TEST_F(Growth, FragmentsBecomeObjectsAroundTheirOwnMiddle) {
   ASSERT_EQ(run(mud + std::vector<std::string>{"-o", "a.obj", "--fragments"}).code, 0);
   const std::string obj = read_text(file("a.obj"));
   EXPECT_NE(obj.find("\no fragment_2\n"), std::string::npos);
-  EXPECT_EQ(read_mesh(file("a.obj")).triangles.size(), read_mesh(file("a.glb")).triangles.size());
+  EXPECT_EQ(read_mesh_file(file("a.obj")).mesh.triangles.size(),
+            read_mesh_file(file("a.glb")).mesh.triangles.size());
 }
 
 TEST_F(Growth, TheVideoIsMadeByFfmpegFromTheFrames) {

@@ -69,7 +69,8 @@ class Terminal : public CommandTest {
     EXPECT_EQ(files(), (std::set<std::string>{"a.ply", "f.ply", "l.json", "r.json"}));
     const auto report = nlohmann::json::parse(read_text(file("r.json")));
     EXPECT_EQ(report["stop_reason"], "cancelled");
-    const SurfaceMesh mesh = read_mesh(file("a.ply")), fields = read_mesh(file("f.ply"));
+    const SurfaceMesh mesh = read_mesh_file(file("a.ply")).mesh,
+                      fields = read_mesh_file(file("f.ply")).mesh;
     EXPECT_EQ(report["output"]["triangles"], mesh.triangles.size());
     EXPECT_EQ(fields.triangles.size(), mesh.triangles.size());
     EXPECT_TRUE(validate(TriangleMesh(mesh.positions, mesh.triangles)).empty());
@@ -178,7 +179,7 @@ TEST_F(Terminal, AReportToAClosedPipeStillWritesTheFiles) {
   pclose(pipe);
   EXPECT_EQ(read_text(file("err")), "");
   EXPECT_EQ(read_text(file("code")), "1\n");
-  EXPECT_FALSE(read_mesh(file("a.ply")).triangles.empty());
+  EXPECT_FALSE(read_mesh_file(file("a.ply")).mesh.triangles.empty());
 }
 
 }  // namespace

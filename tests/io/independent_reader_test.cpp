@@ -11,7 +11,7 @@
 #include "craze/io/write_mesh.h"
 #include "craze/job/run.h"
 #include "craze/recipe/presets.h"
-#include "io_test_tools.h"
+#include "io/io_test_tools.h"
 
 namespace craze {
 namespace {
@@ -131,7 +131,7 @@ TEST_P(IndependentReader, SeesWhatCrackingKeptOfTheInput) {
   const TemporaryFolder folder;
   crack_and_write(folder, folder / "exact.ply");
   crack_and_write(folder, folder / ("a" + extension));
-  const SurfaceMesh exact = read_mesh(folder / "exact.ply");
+  const SurfaceMesh exact = read_mesh_file(folder / "exact.ply").mesh;
   ASSERT_GT(exact.triangles.size(), 400u) << "it cracked";
   const Soup soup = read_with_assimp(folder / ("a" + extension));
   ASSERT_EQ(soup.positions.size(), 3 * exact.triangles.size());
@@ -166,7 +166,7 @@ TEST(CrackedMesh, AttributesOfTheCracksComeThrough) {
   const SurfaceMesh input = crack_and_write(folder, folder / "a.ply");
   crack_and_write(folder, folder / "a.glb");
   for (const char* extension : {".ply", ".glb"}) {
-    const SurfaceMesh mesh = read_mesh(folder / (std::string("a") + extension));
+    const SurfaceMesh mesh = read_mesh_file(folder / (std::string("a") + extension)).mesh;
     const Attribute* distance = find_attribute(mesh.vertex_attributes, "crack_distance");
     ASSERT_TRUE(distance) << extension;
     ASSERT_TRUE(find_attribute(mesh.vertex_attributes, "crack_time")) << extension;

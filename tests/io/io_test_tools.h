@@ -7,6 +7,8 @@
 #include <string>
 
 #include "craze/base/error.h"
+#include "craze/io/mesh_source.h"
+#include "craze/io/read_mesh.h"
 #include "craze/mesh/surface_mesh.h"
 #include "temporary_folder.h"
 
@@ -26,6 +28,14 @@ std::string message_of(Run run, ErrorKind kind = ErrorKind::input) {
   }
   ADD_FAILURE() << "no error was thrown";
   return "";
+}
+
+/// A file's bytes through one reader, whatever its name.
+inline MeshFile read_by(SurfaceMesh (*reader)(const MeshSource&), std::string_view bytes,
+                        const std::string& name = "a.file", const FileLoader& files = {}) {
+  MeshFile file;
+  file.mesh = reader({bytes, name, files, Context{}, file.warnings, file.textures});
+  return file;
 }
 
 /// A bent strip of 2 n triangles over n squares whose numbers have no short decimal form. UVs have

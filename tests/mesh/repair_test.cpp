@@ -169,6 +169,44 @@ TEST(Repair, ALidOfTwoSidesStays) {
   EXPECT_EQ(r.report.duplicate_faces, 1);
 }
 
+/// Cubes of side 1 in a row along x, each with vertices of its own; the walls they share coincide.
+SurfaceMesh row_of_cubes(int count, int n) {
+  SurfaceMesh s;
+  const SurfaceMesh cube = bare(make_shape("cube?n=" + std::to_string(n)));
+  Vec3 low = cube.positions[0], high = low;
+  for (const Vec3& p : cube.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double side = (high - low).x();
+  for (int i = 0; i < count; ++i) {
+    SurfaceMesh next = cube;
+    if (i % 2 == 1) {  // mirrored, so that the triangles of the shared walls are the same
+      for (Vec3& p : next.positions) p.x() = low.x() + high.x() - p.x();
+      for (Triangle& t : next.triangles) std::swap(t[1], t[2]);
+    }
+    append(s, next, Vec3(-low.x() + i * side, 0, 0), 1);
+  }
+  for (Vec3& p : s.positions) p /= side;
+  return s;
+}
+
+TEST(Repair, SolidsThatShareAWallKeepEachItsOwn) {
+  for (const int count : {2, 3}) {
+    for (const int n : {1, 3}) {
+      const SurfaceMesh s = row_of_cubes(count, n);
+      for (const SurfaceMesh& input : {s, exploded(s)}) {
+        const Repaired r = repaired(input);
+        EXPECT_EQ(r.report.duplicate_faces, 0);
+        EXPECT_EQ(r.report.flipped_faces, 0);
+        EXPECT_EQ(r.report.components, count);
+        EXPECT_TRUE(r.summary.closed());
+        EXPECT_NEAR(r.summary.area, 6 * count, 1e-12);
+      }
+    }
+  }
+}
+
 TEST(Repair, UnusedVerticesGo) {
   SurfaceMesh s = bare(make_shape("cube?n=2"));
   s.positions.insert(s.positions.begin(), Vec3(9, 9, 9));

@@ -5,7 +5,6 @@
 #include "craze/base/elementary.h"
 #include "craze/base/error.h"
 #include "craze/base/random.h"
-#include "craze/engine/check_scale.h"
 #include "craze/mesh/feature_lines.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/failure/direction_bias.h"

@@ -1,15 +1,38 @@
-// A mesh from a file of any format the project reads.
+// A mesh from bytes, or from a file, of any format the project reads.
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "craze/base/context.h"
+#include "craze/io/mesh_source.h"
 #include "craze/mesh/surface_mesh.h"
 
 namespace craze {
 
-/// Reads .obj, .ply, .stl, .off, .gltf or .glb, by the file's first bytes where they are telling
-/// and by its extension otherwise. The mesh has triangles, finite coordinates and indices in
-/// range; nothing else is promised (see mesh/validate). Throws Error(input).
-SurfaceMesh read_mesh(const std::filesystem::path& path);
+/// What a file held.
+struct MeshFile {
+  SurfaceMesh mesh;
+  std::vector<std::string> warnings;  ///< one sentence for each kind of thing that was left out
+  std::vector<std::string> textures;  ///< pictures that the file names, in its own words
+};
+
+/// Reads a file's bytes: .obj, .ply, .stl, .off, .gltf or .glb, by what they are where that can be
+/// told and by the extension of `name` otherwise. `name` also stands for the file in messages. Text
+/// may be UTF-8 with or without its mark, or UTF-16 with it. `files` brings other files that it
+/// names (buffers of .gltf); without it, needing one is an error. The mesh has triangles, finite
+/// coordinates and indices in range; nothing else is promised (see mesh/validate). Reports "load".
+/// Throws Error(input), and Cancelled.
+MeshFile read_mesh(std::string_view bytes, const std::string& name, const FileLoader& files = {},
+                   const Context& context = {});
+
+/// The same from a file, and those beside it or below its folder that it names.
+MeshFile read_mesh_file(const std::filesystem::path& path, const Context& context = {});
+
+/// A loader of files that are already in memory, by the name that the mesh's file gives them.
+FileLoader load_from_memory(std::map<std::string, std::string> files);
 
 }  // namespace craze

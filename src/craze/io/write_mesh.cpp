@@ -1,56 +1,76 @@
 #include "craze/io/write_mesh.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "craze/base/error.h"
-#include "craze/io/atomic_file.h"
-#include "craze/io/glb_writer.h"
-#include "craze/io/obj.h"
-#include "craze/io/ply.h"
-#include "craze/io/stl.h"
+#include "craze/io/files/atomic_file.h"
+#include "craze/io/files/extension.h"
+#include "craze/io/mesh_formats.h"
 
 namespace craze {
 
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return extension;
+namespace {
+
+/// ".ply, .obj, .stl or .glb": the formats that can be written and meet the condition.
+template <class Condition>
+std::string list_formats(const char* joined_by, Condition condition) {
+  std::string list, last;
+  for (const MeshFormat& format : mesh_formats()) {
+    if (!format.format || !condition(format)) continue;
+    if (!last.empty()) list += (list.empty() ? "" : ", ") + last;
+    last = fmt::format(".{}", format.name);
+  }
+  return list.empty() ? last : list + joined_by + last;
 }
 
-void check_mesh_file(const std::filesystem::path& path, bool objects, bool animation) {
-  const std::string extension = lower_extension(path);
-  if (objects && extension != ".obj" && extension != ".glb") {
+/// `where`: the file or the format, for messages.
+const MeshFormat& writable_format(std::string_view name, const std::string& where) {
+  const MeshFormat* format = find_mesh_format(name);
+  if (format && format->format) return *format;
+  throw Error(ErrorKind::usage, "cannot write mesh", where,
+              "the extension must be " + list_formats(" or ", [](const auto&) { return true; }));
+}
+
+void check_options(const MeshFormat* format, const std::string& where, bool objects,
+                   bool animation) {
+  if (objects && !(format && format->holds_objects)) {
+    throw Error(ErrorKind::usage, "cannot write fragments as objects", where,
+                fmt::format("only {} hold several objects{}",
+                            list_formats(" and ", [](const auto& f) { return f.holds_objects; }),
+                            format && format->name == "ply"
+                                ? "; in .ply each face has its number as fragment"
+                                : ""));
+  }
+  if (animation && !(format && format->holds_animation)) {
     throw Error(
-        ErrorKind::usage, "cannot write fragments as objects", path.string(),
-        "only .obj and .glb hold several objects" +
-            std::string(extension == ".ply" ? "; in .ply each face has its number as fragment"
-                                            : ""));
+        ErrorKind::usage, "cannot write the growth into the mesh", where,
+        fmt::format("only {} can move; give --frames for one file per moment",
+                    list_formats(" and ", [](const auto& f) { return f.holds_animation; })));
   }
-  if (animation && extension != ".glb") {
-    throw Error(ErrorKind::usage, "cannot write the growth into the mesh", path.string(),
-                "only .glb can move; give --frames for one file per moment");
-  }
+}
+
+std::string format_as(const SurfaceMesh& mesh, std::string_view name, const std::string& where,
+                      const MeshFileOptions& options, const Context& context) {
+  const bool objects = !options.objects.empty(), animation = options.animation != nullptr;
+  check_options(find_mesh_format(name), where, objects, animation);
+  return writable_format(name, where).format(mesh, options, context);
+}
+
+}  // namespace
+
+void check_mesh_file(const std::filesystem::path& path, bool objects, bool animation) {
+  check_options(find_mesh_format(lower_extension(path)), path.string(), objects, animation);
+}
+
+std::string format_mesh(const SurfaceMesh& mesh, std::string_view format,
+                        const MeshFileOptions& options, const Context& context) {
+  return format_as(mesh, format, std::string(format), options, context);
 }
 
 void write_mesh(const std::filesystem::path& path, const SurfaceMesh& mesh,
-                const MeshFileOptions& options) {
-  const char* what = "cannot write mesh";
-  const std::string extension = lower_extension(path);
-  check_mesh_file(path, !options.objects.empty(), options.animation != nullptr);
-  if (extension == ".ply") {
-    write_file(path, format_ply(mesh), what);
-  } else if (extension == ".obj") {
-    write_file(path, format_obj(mesh, options.objects), what);
-  } else if (extension == ".stl") {
-    write_file(path, format_stl(mesh), what);
-  } else if (extension == ".glb") {
-    write_file(path, format_glb(mesh, {options.animation, options.objects}), what);
-  } else {
-    throw Error(ErrorKind::usage, what, path.string(),
-                "the extension must be .ply, .obj, .stl or .glb");
-  }
+                const MeshFileOptions& options, const Context& context) {
+  const std::string bytes = format_as(mesh, lower_extension(path), path.string(), options, context);
+  write_file(path, bytes, "cannot write mesh", context);
 }
 
 }  // namespace craze

@@ -1,9 +1,12 @@
-// A mesh to a file of any format the project writes.
+// A mesh to bytes, or to a file, of any format the project writes.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 
+#include "craze/base/context.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/mesh/surface_mesh.h"
 
@@ -11,22 +14,27 @@ namespace craze {
 
 /// What not every format can hold.
 struct MeshFileOptions {
-  std::string objects;  ///< face attribute, one object per value: OBJ and GLB; empty: one object
-  const MorphAnimation* animation = nullptr;  ///< GLB
+  /// A face attribute, one object NAME_VALUE per value: OBJ and GLB; empty: one object.
+  std::string objects;
+  /// GLB; null: nothing moves.
+  const MorphAnimation* animation = nullptr;
+  /// Told, in one sentence each, what the format cannot hold; may be empty.
+  std::function<void(const std::string&)> warn;
 };
 
-/// Writes .ply, .obj, .stl or .glb by extension, whole or not at all. PLY keeps everything but the
+/// The bytes of a file of that format: "ply", "obj", "stl" or "glb". PLY keeps everything but the
 /// seams' connectivity; OBJ keeps no attributes; STL only triangles; GLB is in single precision and
-/// keeps no face attributes. Throws Error(usage) for another extension or options that the format
-/// has no place for, Error(request) for a mesh the format cannot hold, Error(output) where the file
-/// cannot be written.
+/// keeps no face attributes. Reports "write". Throws Error(usage) for another format or options
+/// that it has no place for, Error(request) for a mesh it cannot hold, and Cancelled.
+std::string format_mesh(const SurfaceMesh& mesh, std::string_view format,
+                        const MeshFileOptions& options = {}, const Context& context = {});
+
+/// Writes the format of the path's extension, whole or not at all. Throws as format_mesh does, and
+/// Error(output) where the file cannot be written.
 void write_mesh(const std::filesystem::path& path, const SurfaceMesh& mesh,
-                const MeshFileOptions& options = {});
+                const MeshFileOptions& options = {}, const Context& context = {});
 
 /// Throws Error(usage) where the format of `path` cannot hold what the options ask for.
 void check_mesh_file(const std::filesystem::path& path, bool objects, bool animation);
-
-/// The extension in lower case with its dot: ".PLY" and ".ply" are the same format.
-std::string lower_extension(const std::filesystem::path& path);
 
 }  // namespace craze

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "craze/base/error.h"
+#include "craze/io/files/extension.h"
 #include "craze/io/write_mesh.h"
 #include "craze/job/run.h"
 #include "craze/render/material.h"

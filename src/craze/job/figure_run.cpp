@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "craze/base/error.h"
-#include "craze/io/atomic_file.h"
+#include "craze/io/files/atomic_file.h"
 #include "craze/job/run.h"
 #include "craze/job/snapping_diagram.h"
 

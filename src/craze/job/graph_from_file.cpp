@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "craze/base/error.h"
-#include "craze/io/read_lines.h"
+#include "craze/io/lines/read_lines.h"
 #include "craze/io/read_mesh.h"
 #include "craze/products/statistics/null_models/null_models.h"
 
@@ -12,8 +12,8 @@ namespace craze {
 CrackGraphInput graph_from_file(const std::filesystem::path& path) {
   const std::string name = path.string();
   if (name.starts_with("null:")) return null_graph(name.substr(5));
-  if (const auto lines = read_lines(path)) return graph_from_lines(*lines);
-  CrackGraphInput graph = graph_from_cut_mesh(read_mesh(path));
+  if (const auto lines = read_lines_file(path)) return graph_from_lines(*lines);
+  CrackGraphInput graph = graph_from_cut_mesh(read_mesh_file(path).mesh);
   if (std::all_of(graph.edges.begin(), graph.edges.end(),
                   [](const GraphInputEdge& e) { return e.border; })) {
     throw Error(ErrorKind::request, "no cracks to measure", name,

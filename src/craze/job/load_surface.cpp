@@ -17,7 +17,7 @@ bool is_shape(std::string_view input) {
 
 SurfaceMesh load_surface(const std::string& input) {
   if (is_shape(input)) return make_shape(input.substr(prefix.size()));
-  return read_mesh(input);
+  return read_mesh_file(input).mesh;
 }
 
 }  // namespace craze

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "craze/engine/cracked_surface.h"
-#include "craze/io/write_lines.h"
+#include "craze/io/lines/write_lines.h"
 #include "craze/io/write_mesh.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/growth_frames.h"

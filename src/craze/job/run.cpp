@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "craze/engine/engine.h"
-#include "craze/io/atomic_file.h"
-#include "craze/io/read_image.h"
+#include "craze/io/files/atomic_file.h"
+#include "craze/io/image/read_image.h"
 #include "craze/job/load_surface.h"
 #include "craze/job/outputs.h"
 #include "craze/model/simulation.h"
@@ -37,7 +37,7 @@ Input load(const RunRequest& request) {
   const SimulationParameters& p = request.recipe.simulation;
   for (const std::string* path : {&p.stress.texture, &p.material.texture, &p.layer.texture}) {
     if (!path->empty() && !input.textures.count(*path)) {
-      input.textures.emplace(*path, read_image(*path));
+      input.textures.emplace(*path, to_grey(read_image_file(*path)));
     }
   }
   return input;

@@ -29,10 +29,10 @@ Named name_of(const Triangle& t, std::int32_t face) {
   return n;
 }
 
-// One face left of each set of equal ones.
+// What is left of each set of equal faces: one, and where it has two sides also the other side.
 struct Kept {
   Triangle corners;
-  std::int32_t face;
+  std::int32_t face, other_side;
   bool two_sided;
 };
 
@@ -50,16 +50,23 @@ std::vector<Kept> one_of_each(std::vector<Named> named) {
     for (j = i; j < named.size() && named[j].corners == named[i].corners; ++j) {
       balance += named[j].odd ? -1 : 1;
     }
-    std::size_t chosen = i;
+    std::size_t chosen = i, other = i;
     while (balance != 0 && named[chosen].odd != (balance < 0)) ++chosen;
-    kept.push_back({named[i].corners, named[chosen].face, balance == 0});
+    while (balance == 0 && named[other].odd == named[chosen].odd) ++other;
+    kept.push_back({named[i].corners, named[chosen].face, named[other].face, balance == 0});
   }
   return kept;
 }
 
-// For each sheet, named by its lowest kept face: edges that it closes less those that it crowds.
-std::vector<std::int32_t> worth_of_sheets(const std::vector<Kept>& kept,
-                                          std::vector<std::int32_t>& sheet) {
+// Of a sheet, by the faces of one side only, without the other.
+struct Worth {
+  std::int32_t closed_less_crowded = 0;  // edges
+  bool free_edge = false;
+};
+
+// For each sheet, named by its lowest kept face.
+std::vector<Worth> worth_of_sheets(const std::vector<Kept>& kept,
+                                   std::vector<std::int32_t>& sheet) {
   std::vector<Side> sides;
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const auto& [a, b, c] = kept[k].corners;
@@ -91,13 +98,17 @@ std::vector<std::int32_t> worth_of_sheets(const std::vector<Kept>& kept,
       joined = joined < 0 ? k : std::min(joined, k);
     }
   });
-  std::vector<std::int32_t> worth(kept.size(), 0);
+  std::vector<Worth> worth(kept.size());
   for_each_edge([&](std::size_t i, std::size_t j) {
     const auto others = std::count_if(sides.begin() + i, sides.begin() + j,
                                       [&](const Side& s) { return !kept[s.kept].two_sided; });
-    if (others == 0) return;
+    if (others == 0) {
+      if (j - i == 1) worth[find(sides[i].kept)].free_edge = true;
+      return;
+    }
     for (; i < j; ++i) {
-      if (kept[sides[i].kept].two_sided) worth[find(sides[i].kept)] += others % 2 == 1 ? 1 : -1;
+      if (!kept[sides[i].kept].two_sided) continue;
+      worth[find(sides[i].kept)].closed_less_crowded += others % 2 == 1 ? 1 : -1;
     }
   });
   for (std::size_t k = 0; k < kept.size(); ++k) sheet[k] = find(static_cast<std::int32_t>(k));
@@ -117,10 +128,16 @@ std::vector<std::int32_t> distinct_faces(const std::vector<Triangle>& triangles,
   std::iota(sheet.begin(), sheet.end(), 0);
   const bool sheets =
       std::any_of(kept.begin(), kept.end(), [](const Kept& k) { return k.two_sided; });
-  const std::vector<std::int32_t> worth =
-      sheets ? worth_of_sheets(kept, sheet) : std::vector<std::int32_t>(kept.size(), 0);
+  const std::vector<Worth> worth =
+      sheets ? worth_of_sheets(kept, sheet) : std::vector<Worth>(kept.size());
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    if (!kept[k].two_sided || worth[sheet[k]] >= 0) faces.push_back(kept[k].face);
+    const Worth& w = worth[sheet[k]];
+    if (!kept[k].two_sided || w.closed_less_crowded >= 0) {
+      faces.push_back(kept[k].face);
+    } else if (!w.free_edge) {
+      faces.push_back(kept[k].face);
+      faces.push_back(kept[k].other_side);
+    }
   }
   std::sort(faces.begin(), faces.end());
   return faces;

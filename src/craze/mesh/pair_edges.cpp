@@ -90,6 +90,7 @@ class Pairing {
       const Vec3 d = positions_[to(next(h))] - a;
       away.emplace_back((d - d.dot(axis) * axis).normalized());
     }
+    join_walls(sides, axis, away);
     struct Candidate {
       bool same_direction;
       double cosine;  // −1: the faces continue each other flatly
@@ -110,6 +111,35 @@ class Pairing {
       if (result_.opposite[c.g] < 0 && result_.opposite[c.h] < 0) join(c.g, c.h);
     }
     if (sides.size() % 2 == 1) ++result_.cut_edges;
+  }
+
+  // Where two faces have the same corners they are a wall: behind each lies a solid of its own, and
+  // the face that closes it is the first one met by turning from the wall backwards.
+  void join_walls(const std::vector<std::int32_t>& sides, const Vec3& axis,
+                  const std::vector<Vec3>& away) {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const std::int32_t g = sides[i];
+      const auto is_twin = [&](std::int32_t h) {
+        return to(next(h)) == to(next(g)) && !same_direction(g, h) && h != g;
+      };
+      if (result_.opposite[g] >= 0 || std::none_of(sides.begin(), sides.end(), is_twin)) continue;
+      const Vec3 along = from(g) < to(g) ? axis : Vec3(-axis);
+      const Vec3 back = away[i].cross(along);
+      std::int32_t nearest = -1;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t j = 0; j < sides.size(); ++j) {
+        const std::int32_t h = sides[j];
+        if (h == g || result_.opposite[h] >= 0 || same_direction(g, h) || is_twin(h)) continue;
+        // Grows with the angle from 0 to a full turn.
+        const double cosine = away[i].dot(away[j]);
+        const double turn = back.dot(away[j]) >= 0 ? 1 - cosine : 3 + cosine;
+        if (turn < least) {
+          least = turn;
+          nearest = h;
+        }
+      }
+      if (nearest >= 0) join(g, nearest);
+    }
   }
 
   // Orients everything reachable from `start` alike, as most of its faces stand.

@@ -40,13 +40,4 @@ const Attribute* find_attribute(const std::vector<Attribute>& attributes, const 
 /// The attribute of the elements `from`, in that order; an element may come more than once.
 Attribute pick(const Attribute& source, const std::vector<std::int32_t>& from);
 
-/// Lines on or near a surface, for files and pictures: polylines broken into edges.
-struct LineSet {
-  std::vector<Vec3> points;                        ///< #P
-  std::vector<std::array<std::int32_t, 2>> edges;  ///< #E, point indices
-  std::vector<Vec2> uvs;                           ///< 2 #E: one per edge end, or empty
-  std::vector<Attribute> point_attributes;         ///< e.g. "junction"
-  std::vector<Attribute> edge_attributes;          ///< e.g. "time", "width"
-};
-
 }  // namespace craze

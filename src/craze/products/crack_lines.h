@@ -2,6 +2,7 @@
 #pragma once
 
 #include "craze/engine/engine.h"
+#include "craze/mesh/line_set.h"
 #include "craze/mesh/surface_mesh.h"
 
 namespace craze {

@@ -8,6 +8,7 @@
 
 #include "craze/base/context.h"
 #include "craze/engine/engine.h"
+#include "craze/mesh/line_set.h"
 #include "craze/mesh/surface_mesh.h"
 #include "craze/recipe/recipe.h"
 

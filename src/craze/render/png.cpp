@@ -7,7 +7,7 @@
 #include <string>
 
 #include "craze/base/error.h"
-#include "craze/io/atomic_file.h"
+#include "craze/io/files/atomic_file.h"
 
 namespace craze::render {
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <utility>
 
 #include "craze/base/error.h"
 #include "craze/products/statistics/measures/pattern.h"
@@ -133,6 +135,55 @@ TEST(GraphInput, ASkeletonIsSeenThroughTheBoxAroundIt) {
   ASSERT_TRUE(window);
   EXPECT_FALSE(window->drawn);
   EXPECT_DOUBLE_EQ(window->area(), 6);
+}
+
+/// Pixels on the lines of a grid of squares, each joined with all of its eight neighbours.
+LineSet pixel_grid(int squares, int step) {
+  LineSet lines;
+  std::map<std::pair<int, int>, std::int32_t> pixel;
+  for (int y = 0; y <= squares * step; ++y) {
+    for (int x = 0; x <= squares * step; ++x) {
+      if (x % step != 0 && y % step != 0) continue;
+      pixel[{x, y}] = static_cast<std::int32_t>(lines.points.size());
+      lines.points.emplace_back(x, y, 0);
+    }
+  }
+  for (const auto& [place, index] : pixel) {
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}}) {
+      const auto other = pixel.find({place.first + dx, place.second + dy});
+      if (other != pixel.end()) lines.edges.push_back({index, other->second});
+    }
+  }
+  return lines;
+}
+
+TEST(GraphInput, DiagonalsOfAPixelSkeletonMakeNoCells) {
+  const CrackGraphInput graph = graph_from_lines(pixel_grid(4, 10));
+  for (const GraphInputEdge& e : graph.edges) {
+    EXPECT_DOUBLE_EQ((graph.points[e.a] - graph.points[e.b]).norm(), 1);
+  }
+  // Euler: faces of a connected planar graph, the outer one left out.
+  EXPECT_EQ(static_cast<int>(graph.edges.size()) - static_cast<int>(graph.points.size()) + 1, 16);
+}
+
+TEST(GraphInput, ADiagonalThatNothingElseReplacesStays) {
+  LineSet lines;
+  lines.points = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 1, 0}};
+  lines.edges = {{0, 1}, {1, 2}, {2, 3}};
+  EXPECT_EQ(graph_from_lines(lines).edges.size(), 3u);
+  lines.points[2] = {1, 1, 0};  // a triangle whose three edges were timed is one
+  lines.edges = {{0, 1}, {1, 2}, {0, 2}};
+  lines.edge_attributes = {{"time", 1, {1, 2, 3}}};
+  EXPECT_EQ(graph_from_lines(lines).edges.size(), 3u);
+}
+
+TEST(GraphInput, EndsWithinTheMeetingDistanceMeet) {
+  LineSet lines;
+  lines.points = {{0, 0, 0}, {100, 0, 0}, {100, 0.9 * meeting_distance * 100, 0}, {100, 50, 0}};
+  lines.edges = {{0, 1}, {2, 3}};
+  EXPECT_EQ(graph_from_lines(lines).points.size(), 3u);
+  lines.points[2].y() = 2 * meeting_distance * 112;
+  EXPECT_EQ(graph_from_lines(lines).points.size(), 4u);
 }
 
 TEST(GraphInput, LinesInSpaceNeedNormals) {

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "craze/base/error.h"
+#include "craze/mesh/weld.h"
 #include "craze/products/statistics/graph/graph_input.h"
+#include "craze/products/statistics/graph/pixel_diagonals.h"
 #include "craze/products/statistics/graph/plane_frame.h"
 #include "craze/products/statistics/graph/point_index.h"
 
@@ -35,14 +37,29 @@ std::optional<Vec3> common_normal(const std::vector<Vec3>& points) {
   return normal;
 }
 
+/// Makes one of points closer than `meeting_distance` times the diagonal of their box. Fills
+/// `joined` in order of first appearance and returns the place of each point in it.
+std::vector<std::int32_t> join_points(const std::vector<Vec3>& points, std::vector<Vec3>& joined) {
+  if (points.empty()) return {};
+  Vec3 low = points[0], high = low;
+  for (const Vec3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  std::vector<std::int32_t> place = weld(points, meeting_distance * (high - low).norm());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto first = static_cast<std::size_t>(place[i]);
+    place[i] = first == i ? static_cast<std::int32_t>(joined.size()) : place[first];
+    if (first == i) joined.push_back(points[i]);
+  }
+  return place;
+}
+
 }  // namespace
 
 CrackGraphInput graph_from_lines(const LineSet& lines) {
   CrackGraphInput graph;
-  PointIndex index;
-  std::vector<std::int32_t> welded;
-  for (const Vec3& p : lines.points) welded.push_back(index.add(p));
-  graph.points = index.take();
+  const std::vector<std::int32_t> welded = join_points(lines.points, graph.points);
 
   const Attribute* normals = find_attribute(lines.point_attributes, "normal");
   if (normals && normals->components == 3) {
@@ -74,6 +91,7 @@ CrackGraphInput graph_from_lines(const LineSet& lines) {
     if (edge.a == edge.b || !known.insert(std::minmax({edge.a, edge.b})).second) continue;
     graph.edges.push_back(edge);
   }
+  drop_pixel_diagonals(graph);
   return graph;
 }
 

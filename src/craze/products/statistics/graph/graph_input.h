@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "craze/base/tensor.h"
+#include "craze/mesh/line_set.h"
 #include "craze/mesh/surface_mesh.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/crack_network.h"
@@ -45,7 +46,11 @@ struct Window {
 /// bounding box of its points in the plane. None for a curved input or another border.
 std::optional<Window> find_window(const CrackGraphInput& input);
 
-/// Lines from a file. Points at equal positions are one, repeated edges too. Reads the edge
+/// How near lines have to end to meet, of the diagonal of the box around them.
+inline constexpr double meeting_distance = 1e-6;
+
+/// Lines from a file. Points nearer than the meeting distance are one, repeated edges too, and
+/// diagonals that a pixel skeleton has beside two straight steps go. Reads the edge
 /// attributes "time", "event" and "border" (non-zero: border) and the point attribute "normal"
 /// (three components). Without normals the lines must lie in a plane (within 10⁻³ of their extent),
 /// else Error(request); its normal is taken with positive z (or y, or x, where z vanishes).

@@ -1,0 +1,144 @@
+#include "craze/io/bytes/text_cursor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "craze/io/bytes/input_error.h"
+
+namespace craze {
+
+namespace {
+
+/// std::from_chars, also where the library has it for whole numbers alone.
+std::from_chars_result parse_double(const char* first, const char* last, double& value) {
+#ifdef __cpp_lib_to_chars
+  return std::from_chars(first, last, value);
+#else
+  const auto ends = [](char c) {
+    return std::strchr("0123456789+-.eE", c) == nullptr || c == '\0';
+  };
+  const std::string text(first, std::find_if(first, last, ends));
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);  // in the C locale, which nothing here changes
+  const auto length = end - text.c_str();
+  return {first + length, length == 0 ? std::errc::invalid_argument : std::errc{}};
+#endif
+}
+
+}  // namespace
+
+void TextCursor::fail(const std::string& why) const {
+  fail_input(at_line(*name_, line_), why);
+}
+
+void TextCursor::step_over_newline() {
+  if (*at_ == '\r' && at_ + 1 != end_ && at_[1] == '\n') ++at_;
+  ++at_;
+  ++line_;
+}
+
+bool TextCursor::more_on_line() {
+  while (at_ != end_) {
+    if (is_space(*at_)) {
+      ++at_;
+    } else if (is_continuation(at_)) {
+      ++at_;
+      step_over_newline();
+    } else {
+      return !is_newline(*at_) && *at_ != '#';
+    }
+  }
+  return false;
+}
+
+bool TextCursor::skip_blank() {
+  while (!more_on_line()) {
+    if (at_ == end_) return false;
+    skip_line();
+  }
+  return true;
+}
+
+void TextCursor::skip_line() {
+  bool in_comment = false;
+  while (at_ != end_ && !is_newline(*at_)) {
+    in_comment = in_comment || *at_ == '#';
+    const bool joins = !in_comment && is_continuation(at_);
+    ++at_;
+    if (joins) step_over_newline();
+  }
+  if (at_ != end_) step_over_newline();
+}
+
+std::string_view TextCursor::word_here() const {
+  const char* p = at_;
+  while (!ends_word(p)) ++p;
+  return {at_, static_cast<std::size_t>(p - at_)};
+}
+
+std::string_view TextCursor::word() {
+  const std::string_view w = word_here();
+  at_ += w.size();
+  return w;
+}
+
+std::string_view TextCursor::rest_of_line() {
+  while (at_ != end_ && is_space(*at_)) ++at_;
+  const char* first = at_;
+  while (at_ != end_ && !is_newline(*at_)) ++at_;
+  const char* last = at_;
+  while (last != first && is_space(last[-1])) --last;
+  return {first, static_cast<std::size_t>(last - first)};
+}
+
+const char* TextCursor::after_plus(const char* p) const {
+  const bool is_sign = p != end_ && *p == '+' && (p + 1 == end_ || p[1] != '-');
+  return is_sign ? p + 1 : p;
+}
+
+double TextCursor::number(const char* what) {
+  if (!more_on_line()) fail(fmt::format("{} is missing", what));
+  const char* first = after_plus(at_);
+  double value = 0;
+  const auto [last, status] = parse_double(first, end_, value);
+  if (status == std::errc::invalid_argument || !ends_word(last)) {
+    fail(fmt::format("{} '{}' is not a number", what, printable(word_here())));
+  }
+  if (status == std::errc::result_out_of_range) {
+    value = std::strtod(std::string(first, last).c_str(), nullptr);  // ±huge, or tiny: both known
+  }
+  if (!std::isfinite(value)) {
+    fail(fmt::format("{} '{}' is not a finite number", what, printable(word_here())));
+  }
+  at_ = last;
+  return value;
+}
+
+std::int64_t TextCursor::integer(const char* what) {
+  if (!more_on_line()) fail(fmt::format("{} is missing", what));
+  const char* start = at_;
+  const std::int64_t value = leading_integer(what);
+  if (!ends_word(at_)) {
+    at_ = start;
+    fail(fmt::format("{} '{}' is not a whole number", what, printable(word_here())));
+  }
+  return value;
+}
+
+std::int64_t TextCursor::leading_integer(const char* what) {
+  const char* first = after_plus(at_);
+  std::int64_t value = 0;
+  const auto [last, status] = std::from_chars(first, end_, value);
+  if (status != std::errc{}) {
+    fail(fmt::format("{} '{}' is not a whole number", what, printable(word_here())));
+  }
+  at_ = last;
+  return value;
+}
+
+}  // namespace craze

@@ -1,0 +1,15 @@
+// The files beside a file that it may open.
+#pragma once
+
+#include <filesystem>
+
+#include "craze/base/context.h"
+#include "craze/io/mesh_source.h"
+
+namespace craze {
+
+/// A loader of files in one folder or below it. Refuses absolute paths, `..`, URIs with a scheme
+/// and links that lead outside. `context` must outlive it.
+FileLoader load_from_folder(const std::filesystem::path& folder, const Context& context);
+
+}  // namespace craze

@@ -1,0 +1,189 @@
+// Format: Khronos Group, "glTF 2.0 Specification", 2021, section 3.7.
+#include "craze/io/gltf/glb_mesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "craze/base/progress_meter.h"
+#include "craze/io/polygons/single_precision.h"
+#include "craze/io/polygons/unify_corners.h"
+
+namespace craze {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+float to_float(double x) {
+  constexpr double most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(x, -most, most));
+}
+
+/// "_CRACK_DISTANCE" for "crack distance".
+std::string attribute_name(const std::string& name) {
+  std::string result = "_";
+  for (const char c : name) {
+    const bool is_lower = c >= 'a' && c <= 'z';
+    const bool is_kept = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    result += is_lower ? static_cast<char>(c - 'a' + 'A') : is_kept ? c : '_';
+  }
+  return result;
+}
+
+class MeshWriter {
+ public:
+  MeshWriter(const SurfaceMesh& mesh, GlbBuffer& buffer, const Context& context)
+      : mesh_(mesh),
+        unified_(unify_corners(mesh)),
+        buffer_(buffer),
+        meter_(context, "write", 3 + mesh.vertex_attributes.size(), 1) {}
+
+  ordered_json write(const Vec3& origin, const std::vector<MorphStage>& stages,
+                     GlbMaterials& materials) {
+    write_positions(origin);
+    write_corner_values();
+    for (const Attribute& a : mesh_.vertex_attributes) write_attribute(a);
+    const ordered_json targets = write_targets(stages);
+    ordered_json json;
+    json["primitives"] = write_primitives(targets, materials);
+    if (stages.empty()) return json;
+    json["weights"] = std::vector<int>(stages.size(), 0);
+    for (std::size_t k = 0; k < stages.size(); ++k) {
+      json["extras"]["targetNames"].push_back("before_" + std::to_string(k + 1));
+    }
+    return json;
+  }
+
+ private:
+  void next_step() { meter_.at(steps_++); }
+
+  void write_positions(const Vec3& origin) {
+    next_step();
+    std::vector<std::array<float, 3>> positions;
+    for (const std::int32_t v : unified_.sources) {
+      positions.push_back(to_floats(mesh_.positions[v] - origin, "GLB"));
+    }
+    attributes_["POSITION"] = buffer_.add_positions(positions);
+  }
+
+  void add(const std::string& name, const std::vector<float>& numbers, int components) {
+    attributes_[name] = buffer_.add_floats(numbers, components, GlbBuffer::Target::vertices);
+  }
+
+  void write_corner_values() {
+    next_step();
+    std::vector<float> numbers;
+    for (const Vec3& n : unified_.normals) {
+      for (int k = 0; k < 3; ++k) numbers.push_back(to_float(n[k]));
+    }
+    if (!numbers.empty()) add("NORMAL", numbers, 3);
+    numbers.clear();
+    for (const Vec2& uv : unified_.uvs) {
+      numbers.push_back(to_float(uv.x()));
+      numbers.push_back(to_float(1 - uv.y()));
+    }
+    if (!numbers.empty()) add("TEXCOORD_0", numbers, 2);
+    if (mesh_.vertex_colors.empty()) return;
+    numbers.clear();
+    for (const std::int32_t v : unified_.sources) {
+      for (const float c : mesh_.vertex_colors[v]) numbers.push_back(std::clamp(c, 0.0f, 1.0f));
+    }
+    add("COLOR_0", numbers, 4);
+  }
+
+  void write_attribute(const Attribute& a) {
+    next_step();
+    const bool fits = a.components <= 4;
+    const int n = fits ? a.components : 1;
+    for (int first = 0; first < a.components; first += n) {
+      std::string name = attribute_name(fits ? a.name : a.name + "_" + std::to_string(first));
+      while (attributes_.contains(name)) name += '_';
+      std::vector<float> numbers;
+      for (const std::int32_t v : unified_.sources) {
+        const double* values = &a.values[static_cast<std::size_t>(a.components) * v + first];
+        for (int k = 0; k < n; ++k) numbers.push_back(to_float(values[k]));
+      }
+      add(name, numbers, n);
+    }
+  }
+
+  ordered_json write_targets(const std::vector<MorphStage>& stages) {
+    ordered_json targets = ordered_json::array();
+    if (stages.empty()) return targets;
+    std::vector<std::vector<std::uint32_t>> copies(mesh_.positions.size());
+    for (std::size_t i = 0; i < unified_.sources.size(); ++i) {
+      copies[unified_.sources[i]].push_back(static_cast<std::uint32_t>(i));
+    }
+    for (const MorphStage& stage : stages) {
+      std::vector<std::pair<std::uint32_t, std::array<float, 3>>> moved;
+      for (std::size_t i = 0; i < stage.vertices.size(); ++i) {
+        const auto back = to_floats(-stage.shifts[i], "GLB");
+        for (const std::uint32_t copy : copies[stage.vertices[i]]) moved.emplace_back(copy, back);
+      }
+      std::sort(moved.begin(), moved.end());
+      std::vector<std::uint32_t> indices;
+      std::vector<std::array<float, 3>> shifts;
+      for (const auto& [index, shift] : moved) {
+        indices.push_back(index);
+        shifts.push_back(shift);
+      }
+      targets.push_back(
+          {{"POSITION", buffer_.add_sparse_vectors(unified_.sources.size(), indices, shifts)}});
+    }
+    return targets;
+  }
+
+  ordered_json write_primitives(const ordered_json& targets, GlbMaterials& materials) {
+    next_step();
+    std::map<std::int32_t, std::vector<std::uint32_t>> corners;  // −1, no material, comes first
+    for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
+      auto& of = corners[mesh_.face_materials.empty() ? -1 : mesh_.face_materials[f]];
+      for (const std::int32_t v : unified_.triangles[f]) {
+        of.push_back(static_cast<std::uint32_t>(v));
+      }
+    }
+    ordered_json primitives = ordered_json::array();
+    for (const auto& [material, indices] : corners) {
+      primitives.push_back({{"attributes", attributes_},
+                            {"indices", buffer_.add_indices(indices)},
+                            {"material", materials.number(mesh_, material)}});
+      if (!targets.empty()) primitives.back()["targets"] = targets;
+    }
+    return primitives;
+  }
+
+  const SurfaceMesh& mesh_;
+  UnifiedCorners unified_;
+  GlbBuffer& buffer_;
+  ProgressMeter meter_;
+  std::size_t steps_ = 0;
+  ordered_json attributes_ = ordered_json::object();
+};
+
+}  // namespace
+
+std::size_t GlbMaterials::number(const SurfaceMesh& mesh, std::int32_t face_material) {
+  for (const auto& [material, number] : known_) {
+    if (material == face_material) return number;
+  }
+  const std::string name = face_material < 0 ? "surface" : mesh.material_names[face_material];
+  // Colours of vertices are multiplied by the material's.
+  const double grey = name == "crack_wall" ? 0.25 : mesh.vertex_colors.empty() ? 0.8 : 1.0;
+  json_.push_back({{"name", name},
+                   {"pbrMetallicRoughness",
+                    {{"baseColorFactor", {grey, grey, grey, 1.0}},
+                     {"metallicFactor", 0.0},
+                     {"roughnessFactor", 0.8}}},
+                   {"doubleSided", true}});
+  known_.emplace_back(face_material, json_.size() - 1);
+  return json_.size() - 1;
+}
+
+ordered_json glb_mesh(const SurfaceMesh& mesh, const Vec3& origin,
+                      const std::vector<MorphStage>& stages, GlbBuffer& buffer,
+                      GlbMaterials& materials, const Context& context) {
+  return MeshWriter(mesh, buffer, context).write(origin, stages, materials);
+}
+
+}  // namespace craze

@@ -1,0 +1,32 @@
+// One mesh of a GLB file: its attributes, primitives and morph targets.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "craze/base/context.h"
+#include "craze/io/gltf/glb_buffer.h"
+#include "craze/mesh/morph_animation.h"
+#include "craze/mesh/surface_mesh.h"
+
+namespace craze {
+
+/// The materials of a file, numbered as they are first asked for.
+class GlbMaterials {
+ public:
+  /// The number of a face material of `mesh`; −1: the plain one.
+  std::size_t number(const SurfaceMesh& mesh, std::int32_t face_material);
+  const nlohmann::ordered_json& json() const { return json_; }
+
+ private:
+  std::vector<std::pair<std::int32_t, std::size_t>> known_;
+  nlohmann::ordered_json json_ = nlohmann::ordered_json::array();
+};
+
+/// The glTF object of a mesh, its numbers appended to the buffer. Positions are written less
+/// `origin`. `stages` are morph targets that take back what the stages do. Throws Cancelled.
+nlohmann::ordered_json glb_mesh(const SurfaceMesh& mesh, const Vec3& origin,
+                                const std::vector<MorphStage>& stages, GlbBuffer& buffer,
+                                GlbMaterials& materials, const Context& context);
+
+}  // namespace craze

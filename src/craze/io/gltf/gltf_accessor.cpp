@@ -1,0 +1,253 @@
+#include "craze/io/gltf/gltf_accessor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "craze/io/bytes/base64.h"
+#include "craze/io/bytes/byte_order.h"
+#include "craze/io/bytes/input_error.h"
+
+namespace craze {
+
+namespace {
+
+std::size_t component_size(std::size_t type) {
+  switch (type) {
+    case 5120:  // BYTE
+    case 5121:  // UNSIGNED_BYTE
+      return 1;
+    case 5122:  // SHORT
+    case 5123:  // UNSIGNED_SHORT
+      return 2;
+    case 5125:  // UNSIGNED_INT
+    case 5126:  // FLOAT
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+bool is_unsigned(std::size_t type) {
+  return type == 5121 || type == 5123 || type == 5125;
+}
+
+std::size_t component_count(const std::string& type) {
+  if (type == "SCALAR") return 1;
+  if (type == "VEC2") return 2;
+  if (type == "VEC3") return 3;
+  if (type == "VEC4") return 4;
+  if (type == "MAT4") return 16;  // whose columns need no padding, whatever the components
+  return 0;
+}
+
+template <class Int>
+double load_integer(const char* p, bool normalized) {
+  const auto value = static_cast<double>(load<Int>(p));
+  return normalized ? std::max(-1.0, value / std::numeric_limits<Int>::max()) : value;
+}
+
+double load_component(const char* p, std::size_t type, bool normalized) {
+  switch (type) {
+    case 5120:
+      return load_integer<std::int8_t>(p, normalized);
+    case 5121:
+      return load_integer<std::uint8_t>(p, normalized);
+    case 5122:
+      return load_integer<std::int16_t>(p, normalized);
+    case 5123:
+      return load_integer<std::uint16_t>(p, normalized);
+    case 5125:
+      return load_integer<std::uint32_t>(p, normalized);
+    default:
+      return load<float>(p);
+  }
+}
+
+}  // namespace
+
+std::string_view GltfAccessors::source(const std::string& uri) {
+  auto found = sources_.find(uri);
+  if (found != sources_.end()) return found->second;
+  std::string content;
+  if (uri.starts_with("data:")) {
+    const std::size_t comma = uri.find(";base64,");
+    auto decoded = comma == std::string::npos
+                       ? std::nullopt
+                       : decode_base64(std::string_view(uri).substr(comma + 8));
+    if (!decoded) json_.fail("a data URI is not base64");
+    content = std::move(*decoded);
+  } else if (loader_) {
+    content = loader_(uri);
+    loaded_bytes_ += content.size();
+  } else {
+    json_.fail(fmt::format("buffer file '{}' cannot be opened from here", printable(uri)));
+  }
+  return sources_.emplace(uri, std::move(content)).first->second;
+}
+
+std::string_view GltfAccessors::buffer(std::size_t index) {
+  if (const auto known = buffers_.find(index); known != buffers_.end()) return known->second;
+  const Json& buffer = json_.item(root_, "buffers", index);
+  std::string_view bytes = bin_;
+  if (const std::string uri = json_.text(buffer, "uri"); !uri.empty()) {
+    bytes = source(uri);
+  } else if (index != 0 || bin_.empty()) {
+    json_.fail(fmt::format("buffer {} has no data", index));
+  }
+  const std::size_t size = json_.index_or(buffer, "byteLength", 0);
+  if (size > bytes.size()) {
+    json_.fail(fmt::format("buffer {} should have {} bytes but has {}", index, size, bytes.size()));
+  }
+  return buffers_.emplace(index, bytes.substr(0, size)).first->second;
+}
+
+std::string_view GltfAccessors::view(std::size_t buffer_view) {
+  const Json& view = json_.item(root_, "bufferViews", buffer_view);
+  const auto index = json_.index(view, "buffer");
+  if (!index) json_.fail("a bufferView has no buffer");
+  for (const char* meshopt : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    const Json& held = json_.item(root_, "buffers", *index);
+    // What it stands in for may be there as well; then the compressed copy is of no concern.
+    if (json_.extension(view, meshopt) && json_.extension(held, meshopt) &&
+        json_.text(held, "uri").empty()) {
+      json_.fail("it is compressed with meshopt, which is not supported; export it without");
+    }
+  }
+  const std::string_view bytes = buffer(*index);
+  const std::size_t offset = json_.index_or(view, "byteOffset", 0);
+  const std::size_t size = json_.index_or(view, "byteLength", 0);
+  if (offset > bytes.size() || size > bytes.size() - offset) {
+    json_.fail(fmt::format("bufferView {} reaches beyond its buffer", buffer_view));
+  }
+  return bytes.substr(offset, size);
+}
+
+std::size_t GltfAccessors::count(std::size_t accessor) const {
+  return json_.index_or(json_.item(root_, "accessors", accessor), "count", 0);
+}
+
+bool GltfAccessors::has_data(std::size_t accessor) const {
+  const Json& json = json_.item(root_, "accessors", accessor);
+  return json.contains("bufferView") || json.contains("sparse");
+}
+
+void GltfAccessors::place(Layout& layout, std::size_t buffer_view, std::size_t offset,
+                          std::size_t stride, const std::string& what) {
+  const std::string_view bytes = view(buffer_view);
+  const std::size_t size = component_size(layout.component_type) * layout.components;
+  layout.stride = stride == 0 ? size : stride;
+  if (layout.stride < size) {
+    json_.fail(fmt::format("{} has a byteStride smaller than its elements", what));
+  }
+  const bool fits =
+      layout.count == 0 || (offset <= bytes.size() && size <= bytes.size() - offset &&
+                            layout.count - 1 <= (bytes.size() - offset - size) / layout.stride);
+  if (!fits) json_.fail(fmt::format("{} reaches beyond its bufferView", what));
+  if (layout.count > 0) layout.first = bytes.data() + offset;
+}
+
+GltfAccessors::Layout GltfAccessors::layout(std::size_t accessor) {
+  const Json& json = json_.item(root_, "accessors", accessor);
+  const std::string name = fmt::format("accessor {}", accessor);
+  Layout layout;
+  layout.count = count(accessor);
+  layout.components = component_count(json_.text(json, "type"));
+  if (layout.components == 0) {
+    json_.fail(fmt::format("{} is not of type SCALAR, VEC2, VEC3, VEC4 or MAT4", name));
+  }
+  layout.component_type = json_.index_or(json, "componentType", 0);
+  if (component_size(layout.component_type) == 0) {
+    json_.fail(fmt::format("{} has an unknown componentType", name));
+  }
+  const auto normalized = json.find("normalized");
+  layout.normalized = normalized != json.end() && *normalized == Json(true);
+  if (const auto view_index = json_.index(json, "bufferView")) {
+    const Json& view = json_.item(root_, "bufferViews", *view_index);
+    place(layout, *view_index, json_.index_or(json, "byteOffset", 0),
+          json_.index_or(view, "byteStride", 0), name);
+  } else if (layout.count > most_) {
+    json_.fail(
+        fmt::format("{} stands for {} zeros, too many for the file's size", name, layout.count));
+  }
+  return layout;
+}
+
+void GltfAccessors::decode(const Layout& in, std::size_t accessor, double* out) const {
+  const std::size_t size = component_size(in.component_type);
+  for (std::size_t i = 0; i < in.count; ++i) {
+    for (std::size_t k = 0; k < in.components; ++k, ++out) {
+      *out = load_component(in.first + i * in.stride + k * size, in.component_type, in.normalized);
+      if (!std::isfinite(*out)) {
+        json_.fail(fmt::format("accessor {} element {} is not a finite number", accessor, i));
+      }
+    }
+  }
+}
+
+void GltfAccessors::substitute(const Json& sparse, const Layout& base, std::size_t accessor,
+                               double* out) {
+  const std::string name = fmt::format("the sparse part of accessor {}", accessor);
+  const auto part = [&](const char* key) -> const Json& {
+    const auto found = sparse.is_object() ? sparse.find(key) : sparse.end();
+    if (found == sparse.end() || !found->is_object())
+      json_.fail(fmt::format("{} has no {}", name, key));
+    return *found;
+  };
+  const auto place_part = [&](Layout& of, const Json& json) {
+    const auto view_index = json_.index(json, "bufferView");
+    if (!view_index) json_.fail(fmt::format("{} has no bufferView", name));
+    place(of, *view_index, json_.index_or(json, "byteOffset", 0), 0, name);
+  };
+  Layout indices;
+  indices.count = json_.index_or(sparse, "count", 0);
+  indices.components = 1;
+  indices.component_type = json_.index_or(part("indices"), "componentType", 0);
+  if (!is_unsigned(indices.component_type)) {
+    json_.fail(fmt::format("{} has indices that are not unsigned", name));
+  }
+  Layout values = base;
+  values.count = indices.count;
+  place_part(indices, part("indices"));
+  place_part(values, part("values"));
+  std::vector<double> elements(values.count * values.components);
+  decode(values, accessor, elements.data());
+  for (std::size_t i = 0; i < indices.count; ++i) {
+    const double index =
+        load_component(indices.first + i * indices.stride, indices.component_type, false);
+    if (index >= static_cast<double>(base.count)) {
+      json_.fail(fmt::format("{} asks for element {} of {}", name, index, base.count));
+    }
+    const auto element = elements.begin() + static_cast<std::ptrdiff_t>(i * base.components);
+    std::copy(element, element + static_cast<std::ptrdiff_t>(base.components),
+              out + static_cast<std::size_t>(index) * base.components);
+  }
+}
+
+GltfAccessors::Values GltfAccessors::read(std::size_t accessor) {
+  const Layout in = layout(accessor);
+  Values out{in.count, in.components, std::vector<double>(in.count * in.components)};
+  if (in.first) decode(in, accessor, out.values.data());
+  const Json& json = root_["accessors"][accessor];
+  if (const auto sparse = json.find("sparse"); sparse != json.end()) {
+    substitute(*sparse, in, accessor, out.values.data());
+  }
+  return out;
+}
+
+std::vector<std::uint32_t> GltfAccessors::read_indices(std::size_t accessor) {
+  const Layout in = layout(accessor);
+  if (in.components != 1 || !is_unsigned(in.component_type)) {
+    json_.fail(fmt::format("accessor {} does not hold indices", accessor));
+  }
+  std::vector<std::uint32_t> indices;
+  indices.reserve(in.count);
+  for (const double value : read(accessor).values) {
+    indices.push_back(static_cast<std::uint32_t>(value));
+  }
+  return indices;
+}
+
+}  // namespace craze

@@ -1,0 +1,44 @@
+// The vertices of one primitive as the file shows them: morph targets mixed in.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "craze/io/gltf/gltf_accessor.h"
+#include "craze/io/gltf/gltf_json.h"
+
+namespace craze {
+
+/// Attributes by name, with the default weights of the targets applied.
+class GltfPrimitive {
+ public:
+  /// All must outlive this. `weights`: the node's or the mesh's, one per target; those missing are
+  /// 0. `spend` is told how many vertices are to be placed or moved, before they are. Throws
+  /// Error(input).
+  GltfPrimitive(const Json& primitive, const std::vector<double>& weights, GltfAccessors& accessors,
+                std::function<void(std::size_t)> spend, const std::string& name);
+
+  const Json& attributes() const { return *attributes_; }
+  bool has(const char* key) const { return attributes_->contains(key); }
+  /// As the accessor of POSITION says.
+  std::size_t vertex_count() const { return count_; }
+  /// What tells primitives apart whose vertices differ.
+  std::string key() const;
+  /// Throws Error(input) where the accessor has not one element per vertex, or neither number of
+  /// components.
+  GltfAccessors::Values read(const char* key, std::size_t components, std::size_t or_components);
+
+ private:
+  GltfAccessors::Values read_accessor(const Json& attributes, const char* key);
+
+  const Json* attributes_;
+  const Json* targets_;
+  const std::vector<double>& weights_;
+  GltfAccessors& accessors_;
+  std::function<void(std::size_t)> spend_;
+  GltfJson json_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace craze

@@ -1,0 +1,29 @@
+// What a reader of meshes is given, and where it says what it left out.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "craze/base/context.h"
+
+namespace craze {
+
+/// Returns the bytes of another file that a mesh's file names; throws Error(input) where it must
+/// not.
+using FileLoader = std::function<std::string(const std::string& uri)>;
+
+/// One reading of one file. What it refers to must outlive it.
+struct MeshSource {
+  std::string_view bytes;
+  const std::string& name;             ///< of the file, for messages
+  const FileLoader& files;             ///< empty: no other file is opened
+  const Context& context;              ///< readers report "load" and throw Cancelled
+  std::vector<std::string>& warnings;  ///< one sentence for each kind of thing that was left out
+  std::vector<std::string>& textures;  ///< pictures that the file names, in its own words
+
+  void warn(std::string sentence) const { warnings.push_back(std::move(sentence)); }
+};
+
+}  // namespace craze

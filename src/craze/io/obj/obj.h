@@ -1,0 +1,26 @@
+// Wavefront OBJ.
+#pragma once
+
+#include <string>
+
+#include "craze/io/mesh_source.h"
+#include "craze/io/write_mesh.h"
+#include "craze/mesh/surface_mesh.h"
+
+namespace craze {
+
+/// Reads `v` (with colours after x y z), `vt`, `vn`, `f` and `usemtl`; anything else is skipped,
+/// with a warning, so are faces of fewer than three corners. Indices may be negative, lines
+/// continued by a backslash. UVs and normals that faces name and the file never gives are left out,
+/// with a warning. Materials are known by name alone: no MTL file is opened. `usemtl (null)` means
+/// no material. Throws Error(input) at NAME:LINE.
+SurfaceMesh read_obj(const MeshSource& source);
+
+/// The mesh as OBJ text: every number round-trips, seams keep their own vt and vn, materials become
+/// `usemtl`. OBJ has no place for attributes. Objects become one `o
+/// NAME_VALUE` each, faces in the order of the values; OBJ knows no places of objects, so all share
+/// the world's axes.
+std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options = {},
+                       const Context& context = {});
+
+}  // namespace craze

@@ -1,0 +1,92 @@
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "craze/base/progress_meter.h"
+#include "craze/io/obj/obj.h"
+#include "craze/io/polygons/unify_corners.h"
+#include "craze/mesh/mesh_parts.h"
+
+namespace craze {
+
+namespace {
+
+/// From here on, an alpha is 1 but for rounding.
+constexpr float opaque = 1 - 1.0f / 512;
+
+/// What `usemtl` can carry: one line, and a name at all.
+std::string material_name(const SurfaceMesh& mesh, std::int32_t material) {
+  if (material < 0) return "(null)";
+  std::string name = mesh.material_names[material];
+  for (char& c : name) {
+    if (c == '\n' || c == '\r' || c == '\t') c = '_';
+  }
+  return name.empty() ? fmt::format("material_{}", material) : name;
+}
+
+}  // namespace
+
+std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
+                       const Context& context) {
+  const bool has_uvs = !mesh.corner_uvs.empty(), has_normals = !mesh.corner_normals.empty();
+  ProgressMeter meter(context, "write", mesh.positions.size() + mesh.triangles.size());
+  const UnifiedCorners uvs = unify_corners(mesh, {.uvs = true, .normals = false});
+  const UnifiedCorners normals = unify_corners(mesh, {.uvs = false, .normals = true});
+
+  std::string text = "# craze\n";
+  text.reserve(64 * mesh.positions.size() + 32 * mesh.triangles.size());
+  const auto out = std::back_inserter(text);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    meter.at(v);
+    const Vec3& p = mesh.positions[v];
+    fmt::format_to(out, FMT_COMPILE("v {} {} {}"), p.x(), p.y(), p.z());
+    if (!mesh.vertex_colors.empty()) {
+      const Color& c = mesh.vertex_colors[v];
+      fmt::format_to(out, FMT_COMPILE(" {} {} {}"), c[0], c[1], c[2]);
+      // Other readers give up at a seventh number: only where it says something.
+      if (c[3] < opaque) fmt::format_to(out, FMT_COMPILE(" {}"), c[3]);
+    }
+    text += '\n';
+  }
+  for (const Vec2& t : uvs.uvs) fmt::format_to(out, FMT_COMPILE("vt {} {}\n"), t.x(), t.y());
+  for (const Vec3& n : normals.normals) {
+    fmt::format_to(out, FMT_COMPILE("vn {} {} {}\n"), n.x(), n.y(), n.z());
+  }
+
+  std::int32_t material = -1;
+  std::size_t faces = 0;
+  const auto add_face = [&](std::size_t f) {
+    meter.at(mesh.positions.size() + faces++);
+    if (!mesh.face_materials.empty() && mesh.face_materials[f] != material) {
+      material = mesh.face_materials[f];
+      fmt::format_to(out, "usemtl {}\n", material_name(mesh, material));
+    }
+    text += 'f';
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t v = mesh.triangles[f][i] + 1;
+      const std::int32_t t = uvs.triangles[f][i] + 1, n = normals.triangles[f][i] + 1;
+      if (has_uvs && has_normals) {
+        fmt::format_to(out, FMT_COMPILE(" {}/{}/{}"), v, t, n);
+      } else if (has_uvs) {
+        fmt::format_to(out, FMT_COMPILE(" {}/{}"), v, t);
+      } else if (has_normals) {
+        fmt::format_to(out, FMT_COMPILE(" {}//{}"), v, n);
+      } else {
+        fmt::format_to(out, FMT_COMPILE(" {}"), v);
+      }
+    }
+    text += '\n';
+  };
+  if (options.objects.empty()) {
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) add_face(f);
+    return text;
+  }
+  for (const MeshPart& part : mesh_parts(mesh, options.objects)) {
+    text += "o " + part.name + "\n";
+    for (const std::int32_t f : part.faces) add_face(f);
+  }
+  return text;
+}
+
+}  // namespace craze

@@ -1,0 +1,266 @@
+// Format: The Geometry Center, Geomview manual, section "OFF: (4)(n)OFF".
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "craze/base/progress_meter.h"
+#include "craze/io/bytes/input_error.h"
+#include "craze/io/bytes/text_cursor.h"
+#include "craze/io/off/off.h"
+#include "craze/io/polygons/polygon_soup.h"
+
+namespace craze {
+
+namespace {
+
+/// Bytes between two looks at the clock.
+constexpr std::size_t meter_step = std::size_t{1} << 20;
+
+using RawColor = std::array<double, 4>;
+
+struct OffKind {
+  bool uvs = false, colors = false, normals = false;
+};
+
+OffKind read_kind(TextCursor& text) {
+  OffKind kind;
+  text.skip_blank();
+  const std::string_view keyword = text.word();
+  std::string_view rest = keyword;
+  const auto accept = [&](std::string_view prefix) {
+    if (!rest.starts_with(prefix)) return false;
+    rest.remove_prefix(prefix.size());
+    return true;
+  };
+  kind.uvs = accept("ST");
+  kind.colors = accept("C");
+  kind.normals = accept("N");
+  if (rest == "4OFF" || rest == "nOFF" || rest == "4nOFF") {
+    text.fail(fmt::format("'{}' is not three-dimensional", printable(keyword)));
+  }
+  if (rest != "OFF") text.fail("it does not start with 'OFF'");
+  TextCursor ahead = text;
+  if (ahead.more_on_line() && ahead.word() == "BINARY") text.fail("binary OFF is not supported");
+  return kind;
+}
+
+/// A count, with at least `bytes_each` bytes of the file for each.
+std::size_t read_count(TextCursor& text, const char* what, std::size_t bytes_each) {
+  if (!text.skip_blank()) text.fail(fmt::format("{} is missing", what));
+  const std::int64_t count = text.integer(what);
+  if (count < 0) text.fail(fmt::format("{} is negative", what));
+  if (static_cast<std::size_t>(count) > text.remaining() / bytes_each + 1) {
+    text.fail(fmt::format("{} {} is more than the file can hold", what, count));
+  }
+  return static_cast<std::size_t>(count);
+}
+
+/// 0 … 1, or 0 … 255 where one of them exceeds 1.
+double color_scale(const std::vector<RawColor>& raw) {
+  double largest = 0;
+  for (const RawColor& c : raw) largest = std::max({largest, c[0], c[1], c[2]});
+  return largest > 1 ? 255 : 1;
+}
+
+std::vector<Color> to_colors(const std::vector<RawColor>& raw) {
+  const double scale = color_scale(raw);
+  std::vector<Color> colors;
+  colors.reserve(raw.size());
+  for (const RawColor& c : raw) {
+    Color& color = colors.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) {
+      // An alpha of 1 is opaque in either scale.
+      const double unit = i == 3 && c[3] <= 1 ? c[3] : c[i] / scale;
+      color[i] = static_cast<float>(std::clamp(unit, 0.0, 1.0));
+    }
+  }
+  return colors;
+}
+
+/// Numbers are tokens, wherever lines end. Only what may be missing, colours and their alpha, is
+/// sought on the rest of the line, and only where the file has a line for every vertex and face.
+class OffReader {
+ public:
+  explicit OffReader(const MeshSource& source)
+      : source_(source),
+        text_(source.bytes, source.name),
+        meter_(source.context, "load", source.bytes.size(), meter_step) {}
+
+  SurfaceMesh read() {
+    kind_ = read_kind(text_);
+    vertices_ = read_count(text_, "the number of vertices", 6);
+    const std::size_t line = text_.line();
+    faces_ = read_count(text_, "the number of faces", 2);
+    // The number of edges means nothing and may be missing, but not where each has a line.
+    if (text_.more_on_line() || (text_.line() != line && text_.skip_blank())) {
+      text_.number("the number of edges");
+    }
+    body_ = text_;
+    read_vertices();
+    read_faces();
+    SurfaceMesh mesh = triangulate(std::move(soup_), source_);
+    if (kind_.colors) mesh.vertex_colors = to_colors(vertex_colors_);
+    add_face_colors(mesh);
+    warn();
+    return mesh;
+  }
+
+ private:
+  double next(const char* what) {
+    text_.skip_blank();
+    return text_.number(what);
+  }
+
+  bool has_line_per_row() {
+    if (!line_per_row_) {
+      const std::size_t rows = vertices_ + faces_;
+      TextCursor lines = body_;
+      std::size_t count = 0;
+      for (; count < rows && lines.skip_blank(); ++count) lines.skip_line();
+      line_per_row_ = count == rows;
+    }
+    return *line_per_row_;
+  }
+
+  /// Numbers on the rest of the line, at most four; what follows them is skipped too.
+  std::size_t rest_of_row(RawColor& numbers) {
+    if (!text_.more_on_line() || !has_line_per_row()) return 0;
+    std::size_t count = 0;
+    while (count < 4 && text_.more_on_line()) numbers[count++] = text_.number("a colour");
+    text_.skip_line();
+    return count;
+  }
+
+  void read_vertices() {
+    const char* what = "a vertex's number";
+    soup_.positions.reserve(vertices_);
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      meter_.at(text_.offset());
+      if (!text_.skip_blank()) {
+        text_.fail(fmt::format("the file ends after {} of {} vertices", v, vertices_));
+      }
+      const double x = next(what), y = next(what);
+      soup_.positions.emplace_back(x, y, next(what));
+      if (kind_.normals) {
+        const double nx = next(what), ny = next(what);
+        soup_.normals.emplace_back(nx, ny, next(what));
+      }
+      if (kind_.colors) read_vertex_color();
+      if (kind_.uvs) {
+        const double s = next(what);
+        soup_.uvs.emplace_back(s, next(what));
+      }
+      if (text_.more_on_line() && has_line_per_row()) {
+        ++longer_vertices_;
+        text_.skip_line();
+      }
+    }
+  }
+
+  void read_vertex_color() {
+    const char* what = "a vertex's colour";
+    const double r = next(what), g = next(what), b = next(what);
+    // A UV's two numbers may follow; alpha is there only if something stands before them.
+    TextCursor ahead = text_;
+    int left = 0;
+    while (ahead.more_on_line() && left < 3) {
+      ahead.word();
+      ++left;
+    }
+    const bool has_alpha = left > (kind_.uvs ? 2 : 0) && has_line_per_row();
+    vertex_colors_.push_back({r, g, b, has_alpha ? next(what) : 1.0});
+  }
+
+  void read_faces() {
+    for (std::size_t f = 0; f < faces_; ++f) {
+      meter_.at(text_.offset());
+      if (!text_.skip_blank()) {
+        text_.fail(fmt::format("the file ends after {} of {} faces", f, faces_));
+      }
+      const std::int64_t corners = text_.integer("a face's number of corners");
+      if (corners < 0) text_.fail("a face's number of corners is negative");
+      for (std::int64_t i = 0; i < corners; ++i) {
+        text_.skip_blank();
+        const std::int64_t v = text_.integer("a face's index");
+        if (v < 0 || static_cast<std::size_t>(v) >= vertices_) {
+          text_.fail(fmt::format("a face asks for vertex {} of {}", v, vertices_));
+        }
+        const auto index = static_cast<std::int32_t>(v);
+        soup_.corners.push_back({index, kind_.uvs ? index : -1, kind_.normals ? index : -1});
+      }
+      soup_.close_polygon();
+      RawColor color{};
+      const std::size_t numbers = rest_of_row(color);
+      if (numbers >= 3 && face_colors_.empty()) {
+        face_colors_.resize(f, RawColor{-1, -1, -1, 1});  // none
+      }
+      if (numbers == 1) ++color_map_faces_;
+      if (!face_colors_.empty() || numbers >= 3) {
+        face_colors_.push_back(numbers >= 3 ? color : RawColor{-1, -1, -1, 1});
+      }
+    }
+  }
+
+  /// As face attributes red, green and blue, 0 … 255; a face without a colour is white.
+  void add_face_colors(SurfaceMesh& mesh) const {
+    if (face_colors_.empty()) return;
+    const double scale = 255 / color_scale(face_colors_);
+    const char* names[] = {"red", "green", "blue"};
+    for (std::size_t c = 0; c < 3; ++c) {
+      Attribute channel{names[c], 1, {}};
+      channel.values.reserve(mesh.source_faces.size());
+      for (const std::int32_t f : mesh.source_faces) {
+        const double value = face_colors_[static_cast<std::size_t>(f)][c];
+        channel.values.push_back(value < 0 ? 255
+                                           : std::clamp(std::round(value * scale), 0.0, 255.0));
+      }
+      mesh.face_attributes.push_back(std::move(channel));
+    }
+  }
+
+  void warn() const {
+    if (color_map_faces_ > 0) {
+      source_.warn(
+          fmt::format("{} faces name a colour of a map that is not in the file; they are "
+                      "left without",
+                      color_map_faces_));
+    }
+    if (longer_vertices_ > 0) {
+      source_.warn(
+          fmt::format("{} vertices have more numbers than the file's first word says; "
+                      "these are not read",
+                      longer_vertices_));
+    }
+  }
+
+  const MeshSource& source_;
+  TextCursor text_, body_ = text_;
+  ProgressMeter meter_;
+  OffKind kind_;
+  std::size_t vertices_ = 0, faces_ = 0;
+  std::optional<bool> line_per_row_;  ///< once it matters
+  PolygonSoup soup_;
+  std::vector<RawColor> vertex_colors_, face_colors_;
+  std::size_t color_map_faces_ = 0, longer_vertices_ = 0;
+};
+
+}  // namespace
+
+bool is_off(std::string_view bytes) {
+  const std::string none;
+  TextCursor text(bytes.substr(0, 1000), none);
+  if (!text.skip_blank()) return false;
+  std::string_view word = text.word();
+  for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) {
+    if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+  }
+  return word == "OFF";
+}
+
+SurfaceMesh read_off(const MeshSource& source) {
+  return OffReader(source).read();
+}
+
+}  // namespace craze

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "craze/base/progress_meter.h"
+#include "craze/io/bytes/byte_order.h"
+#include "craze/io/ply/ply.h"
+#include "craze/io/ply/ply_properties.h"
+#include "craze/io/polygons/unify_corners.h"
+
+namespace craze {
+
+namespace {
+
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, '_');
+  return text;
+}
+
+/// Whether other programs take the attribute for a channel of the faces' colour, in whole numbers.
+bool is_color_channel(const Attribute& a) {
+  const bool named = a.name == "red" || a.name == "green" || a.name == "blue" || a.name == "alpha";
+  return named && a.components == 1 && std::all_of(a.values.begin(), a.values.end(), [](double x) {
+           return x >= 0 && x <= 255 && x == std::floor(x);
+         });
+}
+
+}  // namespace
+
+std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions&, const Context& context) {
+  const UnifiedCorners unified = unify_corners(mesh);
+  const auto source = [&](std::size_t i) { return static_cast<std::size_t>(unified.sources[i]); };
+
+  PlyProperties vertex;
+  for (int k = 0; k < 3; ++k) {
+    vertex.add_double(std::string(1, "xyz"[k]),
+                      [&mesh, source, k](std::size_t i) { return mesh.positions[source(i)][k]; });
+  }
+  for (int k = 0; k < 3 && !unified.normals.empty(); ++k) {
+    vertex.add_double(std::string("n") + "xyz"[k],
+                      [&unified, k](std::size_t i) { return unified.normals[i][k]; });
+  }
+  for (int k = 0; k < 2 && !unified.uvs.empty(); ++k) {
+    vertex.add_double(std::string(1, "st"[k]),
+                      [&unified, k](std::size_t i) { return unified.uvs[i][k]; });
+  }
+  const char* colors[] = {"red", "green", "blue", "alpha"};
+  for (int k = 0; k < 4 && !mesh.vertex_colors.empty(); ++k) {
+    vertex.add(colors[k], "uchar", [&mesh, source, k](std::string& bytes, std::size_t i) {
+      const float c = std::clamp(mesh.vertex_colors[source(i)][k], 0.0f, 1.0f);
+      append(bytes, static_cast<std::uint8_t>(std::lround(255 * c)));
+    });
+  }
+  for (const Attribute& a : mesh.vertex_attributes) vertex.add_attribute(a, source);
+
+  PlyProperties face({"vertex_indices"});
+  if (!mesh.face_materials.empty()) {
+    face.add("material_index", "int",
+             [&mesh](std::string& bytes, std::size_t f) { append(bytes, mesh.face_materials[f]); });
+  }
+  for (const Attribute& a : mesh.face_attributes) {
+    if (is_color_channel(a)) {
+      face.add(a.name, "uchar", [&a](std::string& bytes, std::size_t f) {
+        append(bytes, static_cast<std::uint8_t>(a.values[f]));
+      });
+    } else {
+      face.add_attribute(a);
+    }
+  }
+
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment craze\n";
+  for (const std::string& material : mesh.material_names) {
+    bytes += fmt::format("comment material {}\n", one_line(material));
+  }
+  bytes += fmt::format(
+      "element vertex {}\n{}element face {}\nproperty list uchar int "
+      "vertex_indices\n{}end_header\n",
+      unified.sources.size(), vertex.header(), mesh.triangles.size(), face.header());
+  ProgressMeter meter(context, "write", unified.sources.size() + mesh.triangles.size());
+  for (std::size_t i = 0; i < unified.sources.size(); ++i) {
+    meter.at(i);
+    vertex.append_row(bytes, i);
+  }
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    meter.at(unified.sources.size() + f);
+    append(bytes, std::uint8_t{3});
+    for (const std::int32_t v : unified.triangles[f]) append(bytes, v);
+    face.append_row(bytes, f);
+  }
+  return bytes;
+}
+
+}  // namespace craze

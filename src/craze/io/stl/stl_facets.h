@@ -1,0 +1,37 @@
+// What an STL file holds: triangles of their own, and perhaps a colour for each.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "craze/base/tensor.h"
+#include "craze/io/mesh_source.h"
+#include "craze/mesh/surface_mesh.h"
+
+namespace craze {
+
+struct StlFacets {
+  std::vector<Vec3> corners;      ///< three each
+  std::vector<Attribute> colors;  ///< red, green, blue, 0 … 255; empty where there are none
+};
+
+/// Ascii or binary, by content: a binary file may well begin with "solid". Throws Error(input).
+StlFacets read_stl_facets(const MeshSource& source);
+
+/// Where the records of a binary file lie, and what their last two bytes mean.
+struct StlRecords {
+  std::size_t count = 0;
+  /// Each record is as much longer as its attribute byte count says; otherwise that field is free
+  /// for other uses, colours among them.
+  bool counts_attribute_bytes = false;
+  std::size_t unread = 0;  ///< bytes after the last record
+};
+
+/// Each reads a file known to be of its kind.
+StlFacets read_ascii_stl(const MeshSource& source);
+StlFacets read_binary_stl(const MeshSource& source);
+
+/// Throws Error(input) where the file is too short for its records.
+StlRecords find_stl_records(const MeshSource& source);
+
+}  // namespace craze

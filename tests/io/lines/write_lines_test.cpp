@@ -1,0 +1,110 @@
+#include "craze/io/lines/write_lines.h"
+
+#include <nlohmann/json.hpp>
+
+#include "craze/io/bytes/byte_order.h"
+#include "craze/io/files/read_file.h"
+#include "craze/io/ply/ply_header.h"
+#include "craze/io/ply/ply_table.h"
+#include "io/io_test_tools.h"
+
+namespace craze {
+namespace {
+
+/// A T of four edges on a tilted plane, and a closed triangle beside it.
+LineSet lines() {
+  LineSet set;
+  const auto place = [](double x, double y) { return Vec3(x, y, x / 3 + y / 7 + 2); };
+  for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(2, 0), Vec2(1, 1), Vec2(1, 2), Vec2(5, 0),
+                        Vec2(6, 0), Vec2(5, 1)}) {
+    set.points.push_back(place(p.x(), p.y()));
+  }
+  set.edges = {{0, 1}, {1, 2}, {4, 3}, {3, 1}, {5, 6}, {6, 7}, {7, 5}};
+  set.edge_attributes = {{"time", 1, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}}};
+  set.point_attributes = {{"pull", 2, std::vector<double>(16, 0.25)}};
+  return set;
+}
+
+TEST(Lines, ChainsUseEveryEdgeOnceAndBreakAtJunctions) {
+  const LineSet set = lines();
+  const auto chains = join_edges(set);
+  EXPECT_EQ(chains,
+            (std::vector<std::vector<std::int32_t>>{{0, 1}, {1, 2}, {1, 3, 4}, {5, 6, 7, 5}}));
+}
+
+TEST(Lines, PlyKeepsEverythingToTheLastBit) {
+  LineSet set = lines();
+  for (std::size_t i = 0; i < 2 * set.edges.size(); ++i) {
+    set.uvs.emplace_back(static_cast<double>(i) / 3, 0.5);
+  }
+  const std::string bytes = format_lines_ply(set), name = "lines.ply";
+  const PlyHeader header = parse_ply_header(bytes, name);
+  const FileLoader no_files;
+  const Context context;
+  std::vector<std::string> said;
+  const MeshSource source{bytes, name, no_files, context, said, said};
+  PlyBody body(source, header);
+  const auto points = body.read(header.elements[0]);
+  const auto edges = body.read(header.elements[1]);
+  ASSERT_EQ(header.elements[1].name, "edge");
+  for (std::size_t i = 0; i < set.points.size(); ++i) {
+    EXPECT_EQ(points[2].values[i], set.points[i].z());
+  }
+  for (std::size_t e = 0; e < set.edges.size(); ++e) {
+    EXPECT_EQ(edges[1].values[e], set.edges[e][1]);
+    EXPECT_EQ(edges[4].values[e], set.uvs[2 * e + 1].x());
+    EXPECT_EQ(edges[6].values[e], set.edge_attributes[0].values[e]);
+  }
+  EXPECT_EQ(header.elements[1].properties[4].name, "s2");
+}
+
+TEST(Lines, ObjJoinsEdges) {
+  const std::string text = format_lines_obj(lines());
+  EXPECT_NE(text.find("\nl 2 4 5\nl 6 7 8 6\n"), std::string::npos) << text;
+}
+
+TEST(Lines, JsonHoldsPointsEdgesAndAttributes) {
+  const auto json = nlohmann::json::parse(format_lines_json(lines()));
+  EXPECT_EQ(json["edges"][2], (nlohmann::json{4, 3}));
+  EXPECT_EQ(json["points"][1][2].get<double>(), lines().points[1].z());
+  EXPECT_EQ(json["edge_attributes"]["time"][3], 0.4);
+  EXPECT_EQ(json["point_attributes"]["pull"][7], (nlohmann::json{0.25, 0.25}));
+  EXPECT_FALSE(json.contains("uvs"));
+  EXPECT_EQ(nlohmann::json::parse(format_lines_json({}))["edges"].size(), 0u);
+}
+
+TEST(Lines, SvgOfTheXyPlaneKeepsTheAxesAndTurnsYDown) {
+  LineSet set;
+  set.points = {{1, 2, 0}, {3, 2, 0}, {3, 6, 0}};
+  set.edges = {{0, 1}, {1, 2}};
+  const std::string svg = format_lines_svg(set);
+  EXPECT_NE(svg.find("d=\"M1 6L3 6L3 2\""), std::string::npos) << svg;
+}
+
+TEST(Lines, SvgOfAnotherPlaneKeepsLengths) {
+  const std::string svg = format_lines_svg(lines());
+  const std::size_t at = svg.find("d=\"M");
+  double x0, y0, x1, y1;
+  ASSERT_EQ(std::sscanf(svg.c_str() + at, "d=\"M%lf %lfL%lf %lf", &x0, &y0, &x1, &y1), 4);
+  const LineSet set = lines();
+  EXPECT_NEAR(std::hypot(x1 - x0, y1 - y0), (set.points[1] - set.points[0]).norm(), 1e-12);
+}
+
+TEST(Lines, SvgIsDrawnInUvSpaceWhereThereIsOne) {
+  LineSet set = lines();
+  set.points[0].z() = 100;  // not flat
+  message_of([&] { format_lines_svg(set); }, ErrorKind::request);
+  set.uvs.assign(2 * set.edges.size(), Vec2(0.25, 0.25));
+  EXPECT_NE(format_lines_svg(set).find("M0.25 0.75L0.25 0.75"), std::string::npos);
+}
+
+TEST(Lines, GoToFilesByExtension) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.ply", "a.obj", "a.SVG", "a.json"})
+    write_lines(folder / name, lines());
+  EXPECT_TRUE(read_file(folder / "a.SVG").starts_with("<svg"));
+  message_of([&] { write_lines(folder / "a.stl", lines()); }, ErrorKind::usage);
+}
+
+}  // namespace
+}  // namespace craze
