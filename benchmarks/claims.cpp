@@ -3,9 +3,9 @@
 
 #include <functional>
 
-#include "craze/io/read_mesh.h"
 #include "craze/job/figure_table.h"
 #include "craze/model/crack_network.h"
+#include "craze/read_mesh.h"
 #include "engine/claims.h"
 
 namespace craze {

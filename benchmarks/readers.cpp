@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "craze/io/read_mesh.h"
-#include "craze/io/write_mesh.h"
+#include "craze/read_mesh.h"
+#include "craze/write_mesh.h"
 #include "states.h"
 
 namespace craze {

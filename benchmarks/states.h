@@ -4,10 +4,10 @@
 #include <string>
 
 #include "craze/base/random.h"
-#include "craze/mesh/shapes.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/basis_matrix.h"
 #include "craze/model/stress_field.h"
+#include "craze/shapes.h"
 
 namespace craze::bench {
 

@@ -19,7 +19,7 @@ endfunction()
 
 embed(${SOURCE_DIR}/recipes presets presets)
 embed(${SOURCE_DIR}/recipes/figures figure_recipes figures)
-file(WRITE ${OUTPUT} "#include \"craze/recipe/presets.h\"
+file(WRITE ${OUTPUT} "#include \"craze/presets.h\"
 
 namespace craze {
 

@@ -1,7 +1,7 @@
 // What the readers of pictures owe to any bytes: a picture of the size it says, or an Error(input).
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/image/read_image.h"
 #include "fuzz_reader.h"
 

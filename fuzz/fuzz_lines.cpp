@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/lines/read_lines.h"
 #include "fuzz_reader.h"
 

@@ -1,5 +1,5 @@
 // The way in that everybody takes: the format told by the bytes, text in any encoding.
-#include "craze/io/read_mesh.h"
+#include "craze/read_mesh.h"
 #include "fuzz_reader.h"
 
 namespace {

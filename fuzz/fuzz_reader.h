@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/mesh_source.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "craze/base/error.h"
-#include "craze/recipe/recipe.h"
+#include "craze/error.h"
+#include "craze/recipe.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);

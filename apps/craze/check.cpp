@@ -7,8 +7,8 @@
 #include "app.h"
 #include "craze/job/load_surface.h"
 #include "craze/mesh/mesh_summary.h"
-#include "craze/mesh/repair.h"
 #include "craze/products/report_json.h"
+#include "craze/repair.h"
 
 namespace craze::app {
 

@@ -4,7 +4,7 @@
 #include "app.h"
 #include "camera_options.h"
 #include "craze/job/run.h"
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
 #include "error_line.h"
 #include "interrupt.h"
 #include "progress_line.h"

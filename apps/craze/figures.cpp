@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app.h"
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/figure_run.h"
 #include "interrupt.h"

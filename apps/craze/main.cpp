@@ -5,8 +5,8 @@
 #include <new>
 
 #include "app.h"
-#include "craze/base/error.h"
 #include "craze/base/version.h"
+#include "craze/error.h"
 #include "craze/recipe/nearest_name.h"
 #include "error_line.h"
 

@@ -1,5 +1,5 @@
 // craze presets [NAME]: what there is to choose from.
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "app.h"
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze::app {
 

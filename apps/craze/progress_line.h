@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 
 namespace craze::app {
 

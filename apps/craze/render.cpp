@@ -4,7 +4,7 @@
 
 #include "app.h"
 #include "camera_options.h"
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/job/load_surface.h"
 #include "craze/job/run.h"
 #include "craze/render/mesh_picture.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app.h"
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/graph_from_file.h"
 #include "craze/products/statistics/graph/graph_input.h"

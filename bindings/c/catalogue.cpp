@@ -3,8 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "craze/base/version.h"
+#include "craze/presets.h"
 #include "craze/recipe/parameter_table.h"
-#include "craze/recipe/presets.h"
+#include "craze/recipe/recipe_json.h"
 #include "guard.h"
 
 namespace craze::c {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "craze/base/error.h"
 #include "craze/craze.h"
+#include "craze/error.h"
 
 namespace craze::c {
 

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "craze/craze.h"
-#include "craze/engine/engine.h"
-#include "craze/mesh/line_set.h"
-#include "craze/mesh/surface_mesh.h"
-#include "craze/products/products.h"
-#include "craze/recipe/recipe.h"
+#include "craze/engine.h"
+#include "craze/line_set.h"
+#include "craze/products.h"
+#include "craze/recipe.h"
+#include "craze/surface_mesh.h"
 
 struct craze_mesh {
   std::shared_ptr<craze::SurfaceMesh> mesh;

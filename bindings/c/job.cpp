@@ -1,7 +1,8 @@
 // A run of the interface: what is cracked, how, and the run itself.
 #include <nlohmann/json.hpp>
 
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
+#include "craze/recipe/recipe_json.h"
 #include "guard.h"
 #include "handles.h"
 #include "job_context.h"

@@ -1,7 +1,7 @@
 // The callback of a job as a Context.
 #pragma once
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 #include "handles.h"
 
 namespace craze::c {

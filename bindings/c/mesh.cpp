@@ -3,11 +3,11 @@
 #include <limits>
 #include <utility>
 
-#include "craze/io/read_mesh.h"
-#include "craze/io/write_mesh.h"
 #include "craze/mesh/mesh_parts.h"
-#include "craze/mesh/shapes.h"
-#include "craze/products/products.h"
+#include "craze/products.h"
+#include "craze/read_mesh.h"
+#include "craze/shapes.h"
+#include "craze/write_mesh.h"
 #include "guard.h"
 #include "handles.h"
 

@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "app/command.h"
-#include "craze/io/read_mesh.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/read_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 namespace {

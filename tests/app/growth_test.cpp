@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/bytes/byte_order.h"
-#include "craze/io/read_mesh.h"
+#include "craze/read_mesh.h"
 
 namespace craze {
 namespace {

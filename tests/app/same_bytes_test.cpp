@@ -1,7 +1,7 @@
 #include <fstream>
 
 #include "app/command.h"
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
 
 namespace craze {
 namespace {
@@ -10,9 +10,7 @@ namespace {
 /// oldest variants then, which round otherwise.
 class OldMachine {
  public:
-  OldMachine() {
-    setenv("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX512F,-AVX2,-AVX,-FMA,-FMA4", 1);
-  }
+  OldMachine() { setenv("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX512F,-AVX2,-AVX,-FMA,-FMA4", 1); }
   ~OldMachine() { unsetenv("GLIBC_TUNABLES"); }
 };
 

@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "app/command.h"
-#include "craze/io/read_mesh.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/mesh/validate.h"
+#include "craze/read_mesh.h"
 
 namespace craze {
 namespace {

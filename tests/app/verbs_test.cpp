@@ -3,7 +3,7 @@
 
 #include "app/command.h"
 #include "craze/base/version.h"
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
 
 namespace craze {
 namespace {

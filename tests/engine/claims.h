@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "craze/engine/initial_fields.h"
-#include "craze/mesh/shapes.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/failure/direction_bias.h"
 #include "craze/model/screening.h"
 #include "craze/model/sources/curvature.h"
+#include "craze/presets.h"
 #include "craze/products/statistics/statistics.h"
-#include "craze/recipe/presets.h"
+#include "craze/shapes.h"
 #include "model/border_angles.h"
 
 namespace craze::test {

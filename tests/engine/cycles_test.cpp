@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "craze/base/error.h"
-#include "craze/mesh/shapes.h"
+#include "craze/error.h"
 #include "craze/model/screening.h"
+#include "craze/presets.h"
 #include "craze/products/statistics/statistics.h"
-#include "craze/recipe/presets.h"
+#include "craze/shapes.h"
 
 namespace craze {
 namespace {

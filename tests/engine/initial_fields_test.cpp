@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "craze/mesh/shapes.h"
+#include "craze/shapes.h"
 
 namespace craze {
 namespace {

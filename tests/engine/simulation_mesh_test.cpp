@@ -1,9 +1,9 @@
 // mesh.edge = "auto": the pattern is that of the object, not of its triangles.
 #include <gtest/gtest.h>
 
-#include "craze/engine/engine.h"
-#include "craze/mesh/repair.h"
+#include "craze/engine.h"
 #include "craze/products/cut_surface.h"
+#include "craze/repair.h"
 #include "engine/claims.h"
 #include "engine/texture_shift.h"
 

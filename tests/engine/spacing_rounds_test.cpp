@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "craze/mesh/components.h"
-#include "craze/mesh/shapes.h"
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
+#include "craze/shapes.h"
 
 namespace craze {
 namespace {

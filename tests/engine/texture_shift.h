@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "craze/mesh/closest_point.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze::test {
 

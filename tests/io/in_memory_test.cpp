@@ -4,9 +4,9 @@
 #include "craze/io/lines/read_lines.h"
 #include "craze/io/lines/write_lines.h"
 #include "craze/io/mesh_formats.h"
-#include "craze/io/read_mesh.h"
-#include "craze/io/write_mesh.h"
-#include "craze/mesh/shapes.h"
+#include "craze/read_mesh.h"
+#include "craze/shapes.h"
+#include "craze/write_mesh.h"
 #include "io/io_test_tools.h"
 
 namespace craze {

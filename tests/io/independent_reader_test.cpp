@@ -7,10 +7,10 @@
 
 #include <algorithm>
 
-#include "craze/io/read_mesh.h"
-#include "craze/io/write_mesh.h"
 #include "craze/job/run.h"
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
+#include "craze/read_mesh.h"
+#include "craze/write_mesh.h"
 #include "io/io_test_tools.h"
 
 namespace craze {

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/mesh_source.h"
-#include "craze/io/read_mesh.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/read_mesh.h"
+#include "craze/surface_mesh.h"
 #include "temporary_folder.h"
 
 namespace craze {

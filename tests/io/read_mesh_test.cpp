@@ -1,7 +1,7 @@
-#include "craze/io/read_mesh.h"
+#include "craze/read_mesh.h"
 
 #include "craze/io/files/atomic_file.h"
-#include "craze/io/write_mesh.h"
+#include "craze/write_mesh.h"
 #include "io/io_test_tools.h"
 
 namespace craze {

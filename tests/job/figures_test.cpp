@@ -5,11 +5,11 @@
 #include <fstream>
 #include <set>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/job/figure_run.h"
 #include "craze/job/figure_table.h"
 #include "craze/job/snapping_diagram.h"
-#include "craze/mesh/shapes.h"
+#include "craze/shapes.h"
 #include "temporary_folder.h"
 
 namespace craze {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/products/statistics/null_models/null_models.h"
 
 namespace craze {

@@ -8,9 +8,9 @@
 #include "craze/base/random.h"
 #include "craze/mesh/closest_point.h"
 #include "craze/mesh/mesh_summary.h"
-#include "craze/mesh/shapes.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/mesh/validate.h"
+#include "craze/shapes.h"
 
 namespace craze {
 namespace {

@@ -8,13 +8,13 @@
 #include <numbers>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/mesh/closest_point.h"
 #include "craze/mesh/mesh_summary.h"
-#include "craze/mesh/repair.h"
-#include "craze/mesh/shapes.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/mesh/validate.h"
+#include "craze/repair.h"
+#include "craze/shapes.h"
 
 namespace craze {
 namespace {

@@ -1,4 +1,4 @@
-#include "craze/mesh/repair.h"
+#include "craze/repair.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,13 +8,13 @@
 #include <limits>
 #include <numeric>
 
-#include "craze/base/error.h"
 #include "craze/base/random.h"
+#include "craze/error.h"
 #include "craze/mesh/mesh_summary.h"
-#include "craze/mesh/shapes.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/mesh/validate.h"
 #include "craze/mesh/weld.h"
+#include "craze/shapes.h"
 
 namespace craze {
 namespace {

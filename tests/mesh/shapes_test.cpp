@@ -1,4 +1,4 @@
-#include "craze/mesh/shapes.h"
+#include "craze/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/mesh/mesh_summary.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/mesh/validate.h"

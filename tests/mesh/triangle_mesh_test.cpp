@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/mesh/validate.h"
 #include "model/runs.h"
 

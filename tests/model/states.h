@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "craze/base/random.h"
-#include "craze/mesh/shapes.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/cracked_sheet.h"
 #include "craze/model/relaxation/euler_relaxation.h"
 #include "craze/model/stress_field.h"
+#include "craze/shapes.h"
 
 namespace craze::test {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/sources/painted_multiplier.h"
 #include "model/analytic_surfaces.h"

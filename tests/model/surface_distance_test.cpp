@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/mesh/tangent_frame.h"
 #include "model/analytic_surfaces.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 namespace {

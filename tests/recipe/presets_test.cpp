@@ -1,4 +1,4 @@
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
 #include "craze/model/crack_network.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/recipe/nearest_name.h"
 #include "craze/recipe/parameter_reference.h"
 #include "engine/claims.h"

@@ -1,4 +1,4 @@
-#include "craze/recipe/recipe.h"
+#include "craze/recipe.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/recipe/parameter_table.h"
 
 namespace craze {

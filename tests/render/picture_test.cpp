@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "products/distance/surfaces.h"
 
 namespace craze::render {

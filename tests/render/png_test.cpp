@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze::render {
 namespace {

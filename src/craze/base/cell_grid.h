@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "craze/base/random.h"
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -1,4 +1,4 @@
-#include "craze/base/grey_image.h"
+#include "craze/grey_image.h"
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "craze/base/grey_image.h"
+#include "craze/grey_image.h"
 
 namespace craze {
 

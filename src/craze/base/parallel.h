@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "craze/base/threads.h"
+#include "craze/threads.h"
 
 namespace craze {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -1,7 +1,7 @@
 // The largest eigenvalue of a symmetric 3×3 tensor, without iteration.
 #pragma once
 
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -1,4 +1,4 @@
-#include "craze/base/threads.h"
+#include "craze/threads.h"
 
 #include <algorithm>
 #include <thread>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/model/screening.h"
 
 namespace craze {

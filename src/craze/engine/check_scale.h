@@ -1,8 +1,8 @@
 // Requests whose scale does not fit the object or the machine, found before any work.
 #pragma once
 
-#include "craze/mesh/surface_mesh.h"
-#include "craze/recipe/recipe.h"
+#include "craze/recipe.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

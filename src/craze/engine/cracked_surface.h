@@ -7,7 +7,7 @@
 #include "craze/mesh/components.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/simulation.h"
-#include "craze/recipe/recipe.h"
+#include "craze/recipe.h"
 
 namespace craze {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "craze/base/error.h"
 #include "craze/base/random.h"
 #include "craze/engine/initial_fields.h"
+#include "craze/error.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/junction_drift.h"
 

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 #include "craze/engine/simulation_surface.h"
-#include "craze/engine/textures.h"
+#include "craze/grey_image.h"
 #include "craze/model/simulation.h"
 
 namespace craze {

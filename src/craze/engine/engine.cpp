@@ -1,11 +1,11 @@
-#include "craze/engine/engine.h"
+#include "craze/engine.h"
 
 #include <chrono>
 
-#include "craze/base/error.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/engine/spacing_rounds.h"
-#include "craze/mesh/repair.h"
+#include "craze/error.h"
+#include "craze/repair.h"
 
 namespace craze {
 

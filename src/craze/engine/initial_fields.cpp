@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "craze/base/elementary.h"
-#include "craze/base/error.h"
 #include "craze/base/random.h"
+#include "craze/error.h"
 #include "craze/mesh/feature_lines.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/failure/direction_bias.h"

@@ -1,12 +1,12 @@
 // What the simulation starts with on its mesh: the recipe's sources, strengths and boundaries.
 #pragma once
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 #include "craze/engine/simulation_surface.h"
-#include "craze/engine/textures.h"
+#include "craze/grey_image.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/model/parameters.h"
 #include "craze/model/simulation_fields.h"
+#include "craze/parameters.h"
 
 namespace craze {
 

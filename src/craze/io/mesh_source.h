@@ -1,18 +1,14 @@
 // What a reader of meshes is given, and where it says what it left out.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "craze/base/context.h"
+#include "craze/context.h"
+#include "craze/read_mesh.h"
 
 namespace craze {
-
-/// Returns the bytes of another file that a mesh's file names; throws Error(input) where it must
-/// not.
-using FileLoader = std::function<std::string(const std::string& uri)>;
 
 /// One reading of one file. What it refers to must outlive it.
 struct MeshSource {

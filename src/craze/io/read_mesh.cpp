@@ -1,4 +1,4 @@
-#include "craze/io/read_mesh.h"
+#include "craze/read_mesh.h"
 
 #include <fmt/format.h>
 

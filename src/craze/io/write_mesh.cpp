@@ -1,8 +1,9 @@
-#include "craze/io/write_mesh.h"
+#include "craze/write_mesh.h"
+#include "craze/mesh/morph_animation.h"
 
 #include <fmt/format.h>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/files/extension.h"
 #include "craze/io/mesh_formats.h"

@@ -6,12 +6,12 @@
 #include <map>
 #include <vector>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/files/extension.h"
-#include "craze/io/write_mesh.h"
 #include "craze/job/run.h"
 #include "craze/render/material.h"
 #include "craze/render/video.h"
+#include "craze/write_mesh.h"
 
 namespace craze {
 

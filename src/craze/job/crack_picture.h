@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/engine/engine.h"
+#include "craze/context.h"
+#include "craze/engine.h"
 #include "craze/products/opening/opened_surface.h"
 #include "craze/render/crack_lines.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/run.h"
 #include "craze/job/snapping_diagram.h"

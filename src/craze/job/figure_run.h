@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 #include "craze/job/figure_table.h"
 
 namespace craze {

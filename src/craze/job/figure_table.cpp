@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/recipe/nearest_name.h"
 
 namespace craze {

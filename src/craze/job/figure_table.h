@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
 
 namespace craze {
 

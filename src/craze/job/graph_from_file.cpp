@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/lines/read_lines.h"
-#include "craze/io/read_mesh.h"
 #include "craze/products/statistics/null_models/null_models.h"
+#include "craze/read_mesh.h"
 
 namespace craze {
 

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <optional>
 
-#include "craze/base/error.h"
-#include "craze/io/write_mesh.h"
+#include "craze/error.h"
 #include "craze/job/crack_picture.h"
 #include "craze/render/png.h"
 #include "craze/render/video.h"
+#include "craze/write_mesh.h"
 
 namespace craze {
 
@@ -33,8 +33,7 @@ class Photographer {
     options_.subject = mesh_.positions;
     mesh_.face_attributes.clear();  // fragments look alike before they are ones
     mesh_.corner_normals = picture_normals(scene.shown, scene.result, post, options_.crease);
-    lines_ =
-        picture_lines(scene.shown, scene.result, render::line_reach(mesh_, options_), context);
+    lines_ = picture_lines(scene.shown, scene.result, render::line_reach(mesh_, options_), context);
   }
 
   render::Image picture(double time, const Context& context) {

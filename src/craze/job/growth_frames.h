@@ -1,8 +1,8 @@
 // The growth of the cracks as frames and a video.
 #pragma once
 
-#include "craze/base/context.h"
-#include "craze/engine/engine.h"
+#include "craze/context.h"
+#include "craze/engine.h"
 #include "craze/job/run.h"
 #include "craze/products/growth/growth.h"
 #include "craze/render/picture.h"

@@ -1,7 +1,7 @@
 #include "craze/job/load_surface.h"
 
-#include "craze/io/read_mesh.h"
-#include "craze/mesh/shapes.h"
+#include "craze/read_mesh.h"
+#include "craze/shapes.h"
 
 namespace craze {
 

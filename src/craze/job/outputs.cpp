@@ -5,10 +5,10 @@
 
 #include "craze/engine/cracked_surface.h"
 #include "craze/io/lines/write_lines.h"
-#include "craze/io/write_mesh.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/growth_frames.h"
 #include "craze/job/load_surface.h"
+#include "craze/mesh/morph_animation.h"
 #include "craze/products/crack_lines.h"
 #include "craze/products/cut_surface.h"
 #include "craze/products/field_mesh.h"
@@ -16,6 +16,7 @@
 #include "craze/products/statistics/graph/graph_input.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
+#include "craze/write_mesh.h"
 
 namespace craze {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "craze/base/context.h"
-#include "craze/engine/engine.h"
+#include "craze/context.h"
+#include "craze/engine.h"
 #include "craze/job/run.h"
 #include "craze/products/statistics/statistics.h"
 

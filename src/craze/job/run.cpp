@@ -4,7 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "craze/engine/engine.h"
+#include "craze/engine.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/image/read_image.h"
 #include "craze/job/load_surface.h"

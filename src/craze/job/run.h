@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "craze/base/context.h"
-#include "craze/engine/report.h"
-#include "craze/recipe/recipe.h"
+#include "craze/context.h"
+#include "craze/recipe.h"
 #include "craze/render/picture.h"
+#include "craze/report.h"
 
 namespace craze {
 

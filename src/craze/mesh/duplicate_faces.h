@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

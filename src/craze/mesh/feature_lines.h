@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/mesh/surface_mesh.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

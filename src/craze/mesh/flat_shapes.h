@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

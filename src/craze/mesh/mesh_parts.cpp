@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <map>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

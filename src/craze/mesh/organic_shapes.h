@@ -1,7 +1,7 @@
 // Shapes with curvature that varies from place to place.
 #pragma once
 
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/mesh/remesh_approach.h"
 #include "craze/mesh/remesh_edges.h"
 #include "craze/mesh/remesh_surface.h"

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "craze/base/context.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/context.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

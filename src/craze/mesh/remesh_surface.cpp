@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/mesh/edge_length_field.h"
 #include "craze/mesh/feature_lines.h"
 

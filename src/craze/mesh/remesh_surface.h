@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/context.h"
 #include "craze/base/random.h"
+#include "craze/context.h"
 #include "craze/mesh/closest_point.h"
 #include "craze/mesh/edit_mesh.h"
 #include "craze/mesh/remesh.h"

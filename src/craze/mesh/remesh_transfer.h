@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "craze/base/threads.h"
 #include "craze/mesh/closest_point.h"
 #include "craze/mesh/edit_mesh.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
+#include "craze/threads.h"
 
 namespace craze {
 

@@ -1,4 +1,4 @@
-#include "craze/mesh/repair.h"
+#include "craze/repair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/mesh/duplicate_faces.h"
 #include "craze/mesh/mesh_summary.h"
 #include "craze/mesh/pair_edges.h"

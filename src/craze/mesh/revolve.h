@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -1,7 +1,7 @@
 // Shapes with curved faces. `edge` is the edge length asked for, about uniform over the surface.
 #pragma once
 
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

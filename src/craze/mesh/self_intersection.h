@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/context.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

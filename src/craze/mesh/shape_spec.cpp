@@ -6,7 +6,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 

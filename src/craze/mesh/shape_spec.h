@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "craze/mesh/shapes.h"
+#include "craze/shapes.h"
 
 namespace craze {
 

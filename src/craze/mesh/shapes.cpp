@@ -1,10 +1,10 @@
-#include "craze/mesh/shapes.h"
+#include "craze/shapes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/mesh/flat_shapes.h"
 #include "craze/mesh/organic_shapes.h"
 #include "craze/mesh/round_shapes.h"

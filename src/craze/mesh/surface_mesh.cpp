@@ -1,4 +1,4 @@
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

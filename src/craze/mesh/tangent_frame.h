@@ -1,8 +1,8 @@
 // Orthonormal frames in the plane of a triangle.
 #pragma once
 
-#include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "craze/mesh/surface_mesh.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/tensor.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -6,8 +6,8 @@
 
 #include <span>
 
-#include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/tensor.h"
 #include "craze/model/failure/healed_cracks.h"
 #include "craze/model/simulation.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

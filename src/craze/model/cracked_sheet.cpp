@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "craze/base/tensor.h"
-#include "craze/model/parameters.h"
+#include "craze/parameters.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

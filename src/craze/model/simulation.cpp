@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/model/failure/separation_tensor.h"
 #include "craze/model/screening.h"
 

@@ -5,16 +5,16 @@
 #include <memory>
 #include <vector>
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/cracked_sheet.h"
 #include "craze/model/cutting/crack_insertion.h"
 #include "craze/model/failure/failure_watch.h"
-#include "craze/model/parameters.h"
 #include "craze/model/relaxation/loading.h"
 #include "craze/model/relaxation/relaxation.h"
 #include "craze/model/simulation_fields.h"
 #include "craze/model/stress_field.h"
+#include "craze/parameters.h"
 
 namespace craze {
 

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/failure/direction_bias.h"
 #include "craze/model/failure/healed_cracks.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "craze/base/simd.h"
-#include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

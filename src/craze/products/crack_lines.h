@@ -1,9 +1,9 @@
 // The cracks of a run as lines.
 #pragma once
 
-#include "craze/engine/engine.h"
-#include "craze/mesh/line_set.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/engine.h"
+#include "craze/line_set.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -1,10 +1,10 @@
 // The cracked mesh with everything that is known of it.
 #pragma once
 
-#include "craze/base/context.h"
-#include "craze/engine/engine.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/context.h"
+#include "craze/engine.h"
 #include "craze/products/growth/growth_times.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

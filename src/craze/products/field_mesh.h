@@ -1,9 +1,9 @@
 // The state of a run as a mesh with attributes, for files and for checks from outside.
 #pragma once
 
-#include "craze/base/context.h"
-#include "craze/engine/engine.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/context.h"
+#include "craze/engine.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

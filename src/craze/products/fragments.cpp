@@ -1,5 +1,5 @@
 #include "craze/mesh/mesh_parts.h"
-#include "craze/products/products.h"
+#include "craze/products.h"
 
 namespace craze {
 

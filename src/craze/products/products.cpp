@@ -1,4 +1,4 @@
-#include "craze/products/products.h"
+#include "craze/products.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "craze/base/version.h"
+#include "craze/recipe/recipe_json.h"
 
 namespace craze {
 
@@ -29,7 +30,7 @@ nlohmann::ordered_json repair_to_json(const RepairReport& r) {
 }
 
 nlohmann::ordered_json report_to_json(const Report& r,
-                                       const StatisticsWithSensitivity* statistics) {
+                                      const StatisticsWithSensitivity* statistics) {
   const nlohmann::ordered_json recipe = recipe_to_json(r.recipe);
   return {{"version", version()},
           {"seed", recipe["seed"]},

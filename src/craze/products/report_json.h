@@ -3,8 +3,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "craze/engine/report.h"
 #include "craze/products/statistics/statistics_report.h"
+#include "craze/report.h"
 
 namespace craze {
 

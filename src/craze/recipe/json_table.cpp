@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 

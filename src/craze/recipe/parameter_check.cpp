@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/recipe/nearest_name.h"
 #include "craze/recipe/parameter_table.h"
 #include "craze/recipe/utf8.h"

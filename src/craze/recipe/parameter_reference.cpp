@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "craze/presets.h"
 #include "craze/recipe/parameter_table.h"
-#include "craze/recipe/presets.h"
 
 namespace craze {
 

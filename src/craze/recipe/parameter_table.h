@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "craze/recipe.h"
 #include "craze/recipe/parameter_value.h"
-#include "craze/recipe/recipe.h"
 
 namespace craze {
 

@@ -1,6 +1,6 @@
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/recipe/nearest_name.h"
 
 namespace craze {

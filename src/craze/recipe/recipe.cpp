@@ -1,8 +1,9 @@
-#include "craze/recipe/recipe.h"
+#include "craze/recipe.h"
 
 #include <nlohmann/json.hpp>
 
 #include "craze/recipe/parameter_table.h"
+#include "craze/recipe/recipe_json.h"
 
 namespace craze {
 

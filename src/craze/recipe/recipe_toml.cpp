@@ -9,7 +9,7 @@
 #include <iterator>
 #include <optional>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/recipe/json_table.h"
 #include "craze/recipe/nearest_name.h"
 #include "craze/recipe/parameter_table.h"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "craze/base/tensor.h"
-#include "craze/mesh/up_axis.h"
+#include "craze/tensor.h"
+#include "craze/up_axis.h"
 
 namespace craze::render {
 

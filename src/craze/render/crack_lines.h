@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 #include "craze/products/distance/nearby_cracks.h"
 #include "craze/render/color.h"
 

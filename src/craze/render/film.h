@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "craze/base/threads.h"
 #include "craze/render/color.h"
 #include "craze/render/image.h"
+#include "craze/threads.h"
 
 namespace craze::render {
 

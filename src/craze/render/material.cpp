@@ -1,6 +1,6 @@
 #include "craze/render/material.h"
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze::render {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "craze/mesh/repair.h"
 #include "craze/products/distance/seams.h"
 #include "craze/render/crack_lines.h"
+#include "craze/repair.h"
 
 namespace craze {
 

@@ -1,9 +1,9 @@
 // A picture of a mesh from a file.
 #pragma once
 
-#include "craze/base/context.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/context.h"
 #include "craze/render/picture.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "craze/base/error.h"
 #include "craze/base/parallel.h"
+#include "craze/error.h"
 #include "craze/render/film.h"
 #include "craze/render/smooth_normals.h"
 #include "craze/render/studio.h"

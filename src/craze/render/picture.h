@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/context.h"
 #include "craze/render/camera.h"
 #include "craze/render/crack_lines.h"
 #include "craze/render/image.h"
 #include "craze/render/material.h"
 #include "craze/render/studio.h"
+#include "craze/surface_mesh.h"
 
 namespace craze::render {
 

@@ -6,7 +6,7 @@
 #include <new>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 
 namespace craze::render {

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "craze/base/tensor.h"
-#include "craze/mesh/surface_mesh.h"
 #include "craze/render/color.h"
+#include "craze/surface_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze::render {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "craze/mesh/surface_mesh.h"
 #include "craze/render/color.h"
+#include "craze/surface_mesh.h"
 
 namespace craze::render {
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/mesh/surface_mesh.h"
 #include "craze/render/crack_lines.h"
 #include "craze/render/material.h"
 #include "craze/render/ray_scene.h"
+#include "craze/surface_mesh.h"
 
 namespace craze::render {
 

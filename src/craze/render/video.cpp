@@ -16,7 +16,7 @@
 #include <system_error>
 #include <vector>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze::render {
 

@@ -5,6 +5,7 @@
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/gltf/gltf.h"
 #include "craze/mesh/mesh_parts.h"
+#include "craze/mesh/morph_animation.h"
 #include "io/io_test_tools.h"
 
 namespace craze {

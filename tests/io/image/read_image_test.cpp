@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 namespace {

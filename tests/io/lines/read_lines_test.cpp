@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 namespace {

@@ -1,5 +1,5 @@
 #include "craze/io/off/off.h"
-#include "craze/io/read_mesh.h"
+#include "craze/read_mesh.h"
 
 #include "io/io_test_tools.h"
 

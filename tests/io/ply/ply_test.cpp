@@ -1,5 +1,5 @@
 #include "craze/io/ply/ply.h"
-#include "craze/io/read_mesh.h"
+#include "craze/read_mesh.h"
 
 #include "craze/io/bytes/byte_order.h"
 #include "io/io_test_tools.h"

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "products/distance/surfaces.h"
 #include "products/opening/real_runs.h"
 

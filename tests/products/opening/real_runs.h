@@ -4,11 +4,11 @@
 #include <string>
 
 #include "craze/engine/initial_fields.h"
-#include "craze/mesh/repair.h"
-#include "craze/mesh/shapes.h"
 #include "craze/model/screening.h"
 #include "craze/model/simulation.h"
-#include "craze/recipe/presets.h"
+#include "craze/presets.h"
+#include "craze/repair.h"
+#include "craze/shapes.h"
 
 namespace craze::test {
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/products/statistics/measures/pattern.h"
 #include "craze/products/statistics/null_models/null_models.h"
 #include "craze/products/statistics/statistics.h"

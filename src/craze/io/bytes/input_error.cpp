@@ -1,6 +1,6 @@
 #include "craze/io/bytes/input_error.h"
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 

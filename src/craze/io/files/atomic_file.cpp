@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/files/wait_for_pipe.h"
 
 namespace craze {

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/files/wait_for_pipe.h"
 
 namespace craze {

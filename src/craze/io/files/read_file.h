@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 
 namespace craze {
 

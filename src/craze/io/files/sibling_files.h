@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 #include "craze/io/mesh_source.h"
 
 namespace craze {

@@ -1,7 +1,7 @@
 // Pipes whose other end is not there yet, or is slow: waited for without being deaf to a cancel.
 #pragma once
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 
 namespace craze {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/bytes/byte_order.h"
 
 namespace craze {

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 #include "craze/io/gltf/glb_buffer.h"
 #include "craze/mesh/morph_animation.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -1,5 +1,6 @@
 // Format: Khronos Group, "glTF 2.0 Specification", 2021.
 #include "craze/io/gltf/gltf.h"
+#include "craze/mesh/morph_animation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include "craze/io/gltf/gltf_scene.h"
 #include "craze/io/gltf/gltf_skin.h"
 #include "craze/io/mesh_source.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

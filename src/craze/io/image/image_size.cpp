@@ -1,6 +1,6 @@
 #include "craze/io/image/image_size.h"
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 

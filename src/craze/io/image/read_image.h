@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "craze/base/context.h"
 #include "craze/base/image.h"
+#include "craze/context.h"
 
 namespace craze {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/lines/write_lines.h"
 
 namespace craze {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "craze/base/context.h"
-#include "craze/mesh/line_set.h"
+#include "craze/context.h"
+#include "craze/line_set.h"
 
 namespace craze {
 

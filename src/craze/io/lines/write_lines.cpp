@@ -6,7 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/files/extension.h"

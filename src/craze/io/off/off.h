@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "craze/io/mesh_source.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

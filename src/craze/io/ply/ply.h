@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "craze/io/mesh_source.h"
-#include "craze/io/write_mesh.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
+#include "craze/write_mesh.h"
 
 namespace craze {
 

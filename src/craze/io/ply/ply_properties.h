@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "craze/io/ply/ply_table.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -1,7 +1,7 @@
 // Normals of triangles of any size.
 #pragma once
 
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

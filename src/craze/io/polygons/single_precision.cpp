@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 

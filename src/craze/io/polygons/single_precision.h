@@ -4,8 +4,8 @@
 #include <array>
 #include <string>
 
-#include "craze/base/tensor.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

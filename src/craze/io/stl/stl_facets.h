@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "craze/base/tensor.h"
 #include "craze/io/mesh_source.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/tensor.h"
 #include "craze/model/cracked_sheet.h"
-#include "craze/model/parameters.h"
+#include "craze/parameters.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

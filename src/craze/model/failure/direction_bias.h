@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "craze/base/tensor.h"
 #include "craze/model/sources/curvature.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -6,11 +6,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/failure/separation_tensor.h"
-#include "craze/model/parameters.h"
 #include "craze/model/stress_field.h"
+#include "craze/parameters.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -5,18 +5,18 @@
 #include <unordered_map>
 #include <vector>
 
-#include "craze/base/tensor.h"
-#include "craze/base/threads.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/cutting/crack_insertion.h"
 #include "craze/model/failure/failure_criterion.h"
 #include "craze/model/failure/failure_queue.h"
 #include "craze/model/failure/stress_ahead.h"
-#include "craze/model/parameters.h"
 #include "craze/model/relaxation/loading.h"
 #include "craze/model/relaxation/relaxation.h"
 #include "craze/model/simulation_fields.h"
 #include "craze/model/stress_field.h"
+#include "craze/parameters.h"
+#include "craze/tensor.h"
+#include "craze/threads.h"
 
 namespace craze {
 

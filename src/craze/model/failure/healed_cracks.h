@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "craze/base/symmetric_eigen.h"
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

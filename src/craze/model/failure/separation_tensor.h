@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "craze/base/symmetric_eigen.h"
-#include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/stress_field.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

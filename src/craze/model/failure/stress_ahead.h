@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/stress_field.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/threads.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/relaxation/patch_solver.h"
 #include "craze/model/relaxation/tangent_stiffness.h"
 #include "craze/model/stress_field.h"
+#include "craze/threads.h"
 
 namespace craze {
 

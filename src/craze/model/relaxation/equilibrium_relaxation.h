@@ -1,9 +1,9 @@
 // engine = "quasistatic": equilibrium at every crack.
 #pragma once
 
-#include "craze/base/threads.h"
 #include "craze/model/relaxation/equilibrium.h"
 #include "craze/model/relaxation/relaxation.h"
+#include "craze/threads.h"
 
 namespace craze {
 

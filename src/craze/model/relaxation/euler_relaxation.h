@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "craze/base/simd.h"
-#include "craze/base/threads.h"
 #include "craze/model/relaxation/active_elements.h"
 #include "craze/model/relaxation/relaxation_schedule.h"
 #include "craze/model/relaxation/relaxation_steps.h"
 #include "craze/model/relaxation/stiffness_bound.h"
 #include "craze/model/stress_field.h"
+#include "craze/threads.h"
 
 namespace craze {
 

@@ -2,9 +2,9 @@
 // "quasistatic" without adhesion, the same flow in fewer steps.
 #pragma once
 
-#include "craze/base/threads.h"
 #include "craze/model/relaxation/euler_relaxation.h"
 #include "craze/model/relaxation/relaxation.h"
+#include "craze/threads.h"
 
 namespace craze {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "craze/model/parameters.h"
 #include "craze/model/stress_field.h"
+#include "craze/parameters.h"
 
 namespace craze {
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "craze/base/threads.h"
 #include "craze/model/cutting/crack_insertion.h"
-#include "craze/model/parameters.h"
 #include "craze/model/stress_field.h"
+#include "craze/parameters.h"
+#include "craze/threads.h"
 
 namespace craze {
 

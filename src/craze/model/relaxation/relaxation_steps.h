@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "craze/base/simd.h"
-#include "craze/base/threads.h"
 #include "craze/model/relaxation/active_elements.h"
 #include "craze/model/relaxation/element_packs.h"
 #include "craze/model/relaxation/relaxation_schedule.h"
 #include "craze/model/stress_field.h"
+#include "craze/threads.h"
 
 namespace craze {
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "craze/base/simd.h"
-#include "craze/base/tensor.h"
-#include "craze/base/threads.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/stress_field.h"
+#include "craze/tensor.h"
+#include "craze/threads.h"
 
 namespace craze {
 

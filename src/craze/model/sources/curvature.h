@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/base/tensor.h"
+#include "craze/context.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/model/parameters.h"
+#include "craze/parameters.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 
 namespace craze {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "craze/base/grey_image.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/grey_image.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "craze/base/tensor.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

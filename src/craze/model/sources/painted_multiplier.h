@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/model/parameters.h"
 #include "craze/model/sources/input_fields.h"
+#include "craze/parameters.h"
 
 namespace craze {
 

@@ -8,11 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/base/tensor.h"
+#include "craze/context.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/model/parameters.h"
 #include "craze/model/sources/input_fields.h"
+#include "craze/parameters.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

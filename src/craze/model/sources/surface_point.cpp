@@ -3,8 +3,8 @@
 #include <limits>
 #include <sstream>
 
-#include "craze/base/error.h"
 #include "craze/base/parallel.h"
+#include "craze/error.h"
 #include "craze/model/sources/surface_distance.h"
 
 namespace craze {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/base/tensor.h"
+#include "craze/context.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

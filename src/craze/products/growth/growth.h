@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/engine/engine.h"
+#include "craze/context.h"
+#include "craze/engine.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/products/growth/growth_motion.h"
 #include "craze/products/growth/growth_times.h"

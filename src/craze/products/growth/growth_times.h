@@ -1,7 +1,7 @@
 // When each crack of a run opens: what everything that shows growth starts from.
 #pragma once
 
-#include "craze/engine/engine.h"
+#include "craze/engine.h"
 #include "craze/products/growth/crack_schedule.h"
 #include "craze/products/growth/crack_sites.h"
 

@@ -1,9 +1,9 @@
 // Attributes on the mesh whose cracks were opened.
 #pragma once
 
-#include "craze/mesh/surface_mesh.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/products/opening/opening.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

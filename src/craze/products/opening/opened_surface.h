@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/engine/engine.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/context.h"
+#include "craze/engine.h"
 #include "craze/products/opening/opening.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <string>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/products/opening/curl.h"
 #include "craze/products/opening/opening_limit.h"
 #include "craze/products/opening/side_walls.h"

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/context.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

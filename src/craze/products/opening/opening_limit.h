@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/context.h"
+#include "craze/context.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/products/growth/crack_sites.h"
 #include "craze/products/opening/side_walls.h"

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/mesh/surface_mesh.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/products/growth/crack_sites.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

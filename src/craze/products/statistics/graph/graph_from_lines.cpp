@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/mesh/weld.h"
 #include "craze/products/statistics/graph/graph_input.h"
 #include "craze/products/statistics/graph/pixel_diagonals.h"

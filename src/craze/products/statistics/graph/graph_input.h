@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "craze/base/tensor.h"
-#include "craze/mesh/line_set.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/line_set.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/crack_network.h"
+#include "craze/surface_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

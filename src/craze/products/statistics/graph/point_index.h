@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "craze/base/random.h"
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

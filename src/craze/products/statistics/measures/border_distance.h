@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "craze/base/error.h"
+#include "craze/error.h"
 #include "craze/products/statistics/null_models/null_networks.h"
 
 namespace craze {

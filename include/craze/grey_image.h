@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 
@@ -20,5 +22,9 @@ struct GreyImage {
   /// Whether any of the pixels that sample() mixes there is 0.
   bool touches_black(const Vec2& uv) const;
 };
+
+/// The pictures of a recipe, by the name that it has for each (stress.texture, material.texture,
+/// layer.texture).
+using Textures = std::map<std::string, GreyImage>;
 
 }  // namespace craze

@@ -2,12 +2,11 @@
 // keys on the command line.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
-#include "craze/mesh/up_axis.h"
-#include "craze/model/parameters.h"
+#include "craze/parameters.h"
+#include "craze/up_axis.h"
 
 namespace craze {
 
@@ -66,8 +65,5 @@ void apply_set(Recipe& recipe, const std::string& assignment);
 
 /// TOML with every parameter, which reads back equal.
 std::string write_recipe(const Recipe& recipe);
-
-/// The same as JSON: one object per section, "impact" an array.
-nlohmann::ordered_json recipe_to_json(const Recipe& recipe);
 
 }  // namespace craze

@@ -2,16 +2,20 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/io/mesh_source.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/context.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
+
+/// Returns the bytes of another file that a mesh's file names; throws Error(input) where it must
+/// not.
+using FileLoader = std::function<std::string(const std::string& uri)>;
 
 /// What a file held.
 struct MeshFile {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "craze/base/tensor.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

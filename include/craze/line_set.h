@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/tensor.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/surface_mesh.h"
+#include "craze/tensor.h"
 
 namespace craze {
 

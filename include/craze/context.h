@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <string_view>
 
-#include "craze/base/error.h"
-#include "craze/base/threads.h"
+#include "craze/error.h"
+#include "craze/threads.h"
 
 namespace craze {
 
@@ -35,13 +34,6 @@ struct Context {
   void report(const Progress& p) const {
     if (progress) progress(p);
   }
-};
-
-/// Thrown by a call that was cancelled and has nothing to show for what it has done so far. Not an
-/// Error: whoever cancelled knows why.
-class Cancelled : public std::exception {
- public:
-  const char* what() const noexcept override { return "cancelled"; }
 };
 
 }  // namespace craze

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "craze/mesh/repair.h"
-#include "craze/recipe/recipe.h"
+#include "craze/recipe.h"
+#include "craze/repair.h"
 
 namespace craze {
 

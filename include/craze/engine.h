@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "craze/base/context.h"
-#include "craze/engine/report.h"
-#include "craze/engine/textures.h"
-#include "craze/mesh/surface_mesh.h"
-#include "craze/recipe/recipe.h"
+#include "craze/context.h"
+#include "craze/grey_image.h"
+#include "craze/recipe.h"
+#include "craze/report.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

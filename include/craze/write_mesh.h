@@ -6,11 +6,12 @@
 #include <string>
 #include <string_view>
 
-#include "craze/base/context.h"
-#include "craze/mesh/morph_animation.h"
-#include "craze/mesh/surface_mesh.h"
+#include "craze/context.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
+
+struct MorphAnimation;  // mesh/morph_animation.h
 
 /// What not every format can hold.
 struct MeshFileOptions {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "craze/base/context.h"
-#include "craze/engine/engine.h"
-#include "craze/mesh/line_set.h"
-#include "craze/mesh/surface_mesh.h"
-#include "craze/recipe/recipe.h"
+#include "craze/context.h"
+#include "craze/engine.h"
+#include "craze/line_set.h"
+#include "craze/recipe.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 

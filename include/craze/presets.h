@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "craze/recipe/recipe.h"
+#include "craze/recipe.h"
 
 namespace craze {
 
