@@ -15,7 +15,7 @@ trap 'rm -rf "$folder"' EXIT
 
 for recipe in "$here"/recipes/*.toml; do
   for input in "${inputs[@]}"; do
-    outputs=(-o "$folder/mesh.ply" --lines "$folder/lines.json")
+    outputs=(-o "$folder/mesh.ply" --lines "$folder/lines.json" --max-cracks 200)
     [ "${CRAZE_PICTURES:-1}" = 0 ] ||
       outputs+=(--picture "$folder/picture.png" --width 160 --height 120 --samples 4)
     "${craze[@]}" crack "$input" --recipe "$recipe" "${outputs[@]}" --quiet > "$folder/out"

@@ -26,9 +26,10 @@ class SameBytes : public CommandTest {
  protected:
   std::string everything(const std::string& shape, const std::string& preset) {
     const CommandResult result =
-        run({"crack", shape, "--preset", preset, "-o", "mesh.ply", "--lines", "lines.json",
-             "--picture", "picture.png", "--width", "80", "--height", "60", "--samples", "4",
-             "--fields", "fields.ply", "--quiet"});
+        run({"crack",        shape,        "--preset",  preset,        "-o",       "mesh.ply",
+             "--lines",      "lines.json", "--picture", "picture.png", "--width",  "80",
+             "--height",     "60",         "--samples", "4",           "--fields", "fields.ply",
+             "--max-cracks", "200",        "--quiet"});
     EXPECT_EQ(result.code, 0) << result.err;
     std::string bytes;
     for (const char* name : {"mesh.ply", "lines.json", "picture.png", "fields.ply"}) {
