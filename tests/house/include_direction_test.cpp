@@ -78,13 +78,13 @@ TEST(TheHouse, HasNoFolderOfFortyFiles) {
   for (const auto& [folder, files] : count) EXPECT_LT(files, 40) << folder;
 }
 
-TEST(Includes, OfHeadersNeedOnlyTheStandardLibraryEigenAndJson) {
+TEST(Includes, OfHeadersNeedOnlyTheStandardLibraryEigenJsonAndToml) {
   for (const auto& header : sources_below("src/craze")) {
     if (header.extension() != ".h") continue;
     for (const std::string& include : includes_of(header)) {
       const bool standard = include.find_first_of("/.") == std::string::npos;
       const bool known = include.rfind("craze/", 0) == 0 || include.rfind("Eigen/", 0) == 0 ||
-                         include.rfind("nlohmann/", 0) == 0 ||
+                         include.rfind("nlohmann/", 0) == 0 || include.rfind("toml++/", 0) == 0 ||
                          include.rfind("sanitizer/", 0) == 0;  // comes with the compiler
       EXPECT_TRUE(standard || known) << header << " includes " << include;
     }

@@ -1,4 +1,4 @@
-#include "craze/mesh/remesh.h"
+#include "craze/mesh/remesh/remesh.h"
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 #include "craze/base/random.h"
 #include "craze/error.h"
 #include "craze/mesh/mesh_summary.h"
+#include "craze/mesh/repair/weld.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/mesh/validate.h"
-#include "craze/mesh/weld.h"
 #include "craze/shapes.h"
 
 namespace craze {

@@ -5,7 +5,7 @@
 #include "craze/base/elementary.h"
 #include "craze/base/random.h"
 #include "craze/error.h"
-#include "craze/mesh/feature_lines.h"
+#include "craze/mesh/remesh/feature_lines.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/failure/direction_bias.h"
 #include "craze/model/relaxation/relaxation.h"

@@ -1,7 +1,7 @@
 #include "craze/engine/simulation_surface.h"
 
 #include "craze/engine/check_scale.h"
-#include "craze/mesh/remesh.h"
+#include "craze/mesh/remesh/remesh.h"
 #include "craze/model/sources/input_fields.h"
 #include "craze/model/sources/painted_multiplier.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "craze/error.h"
-#include "craze/mesh/weld.h"
+#include "craze/mesh/repair/weld.h"
 #include "craze/products/statistics/graph/graph_input.h"
 #include "craze/products/statistics/graph/pixel_diagonals.h"
 #include "craze/products/statistics/graph/plane_frame.h"

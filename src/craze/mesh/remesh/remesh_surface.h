@@ -8,7 +8,7 @@
 #include "craze/context.h"
 #include "craze/mesh/closest_point.h"
 #include "craze/mesh/edit_mesh.h"
-#include "craze/mesh/remesh.h"
+#include "craze/mesh/remesh/remesh.h"
 #include "craze/mesh/triangle_mesh.h"
 
 namespace craze {

@@ -1,4 +1,4 @@
-#include "craze/mesh/edge_length_field.h"
+#include "craze/mesh/remesh/edge_length_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "craze/mesh/duplicate_faces.h"
+#include "craze/mesh/repair/duplicate_faces.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "craze/mesh/round_shapes.h"
+#include "craze/mesh/shapes/round_shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "craze/base/elementary.h"
-#include "craze/mesh/revolve.h"
+#include "craze/mesh/shapes/revolve.h"
 
 namespace craze {
 

@@ -1,11 +1,11 @@
-#include "craze/mesh/remesh_edges.h"
+#include "craze/mesh/remesh/remesh_edges.h"
 
 #include <algorithm>
 #include <cmath>
 #include <queue>
 #include <tuple>
 
-#include "craze/mesh/feature_lines.h"
+#include "craze/mesh/remesh/feature_lines.h"
 
 namespace craze {
 

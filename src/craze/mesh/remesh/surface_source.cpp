@@ -1,4 +1,4 @@
-#include "craze/mesh/surface_source.h"
+#include "craze/mesh/remesh/surface_source.h"
 
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-#include "craze/mesh/feature_lines.h"
+#include "craze/mesh/remesh/feature_lines.h"
 
 #include <algorithm>
 #include <numbers>

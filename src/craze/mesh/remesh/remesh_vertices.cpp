@@ -1,4 +1,4 @@
-#include "craze/mesh/remesh_vertices.h"
+#include "craze/mesh/remesh/remesh_vertices.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/mesh/remesh_surface.h"
+#include "craze/mesh/remesh/remesh_surface.h"
 
 namespace craze {
 

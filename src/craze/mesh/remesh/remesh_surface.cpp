@@ -1,12 +1,12 @@
-#include "craze/mesh/remesh_surface.h"
+#include "craze/mesh/remesh/remesh_surface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "craze/error.h"
-#include "craze/mesh/edge_length_field.h"
-#include "craze/mesh/feature_lines.h"
+#include "craze/mesh/remesh/edge_length_field.h"
+#include "craze/mesh/remesh/feature_lines.h"
 
 namespace craze {
 

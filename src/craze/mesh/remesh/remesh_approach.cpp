@@ -1,13 +1,13 @@
-#include "craze/mesh/remesh_approach.h"
+#include "craze/mesh/remesh/remesh_approach.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "craze/base/parallel.h"
-#include "craze/mesh/feature_lines.h"
-#include "craze/mesh/remesh_edges.h"
-#include "craze/mesh/remesh_vertices.h"
+#include "craze/mesh/remesh/feature_lines.h"
+#include "craze/mesh/remesh/remesh_edges.h"
+#include "craze/mesh/remesh/remesh_vertices.h"
 
 namespace craze {
 

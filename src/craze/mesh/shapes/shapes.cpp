@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "craze/error.h"
-#include "craze/mesh/flat_shapes.h"
-#include "craze/mesh/organic_shapes.h"
-#include "craze/mesh/round_shapes.h"
-#include "craze/mesh/shape_spec.h"
+#include "craze/mesh/shapes/flat_shapes.h"
+#include "craze/mesh/shapes/organic_shapes.h"
+#include "craze/mesh/shapes/round_shapes.h"
+#include "craze/mesh/shapes/shape_spec.h"
 
 namespace craze {
 

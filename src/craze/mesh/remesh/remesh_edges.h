@@ -1,7 +1,7 @@
 // The steps of remeshing that change how vertices are joined.
 #pragma once
 
-#include "craze/mesh/remesh_surface.h"
+#include "craze/mesh/remesh/remesh_surface.h"
 
 namespace craze {
 

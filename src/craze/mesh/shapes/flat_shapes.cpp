@@ -1,4 +1,4 @@
-#include "craze/mesh/flat_shapes.h"
+#include "craze/mesh/shapes/flat_shapes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "craze/mesh/shape_spec.h"
+#include "craze/mesh/shapes/shape_spec.h"
 
 #include <algorithm>
 #include <cmath>

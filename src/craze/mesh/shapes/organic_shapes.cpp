@@ -1,12 +1,12 @@
-#include "craze/mesh/organic_shapes.h"
+#include "craze/mesh/shapes/organic_shapes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "craze/base/elementary.h"
-#include "craze/mesh/revolve.h"
-#include "craze/mesh/round_shapes.h"
+#include "craze/mesh/shapes/revolve.h"
+#include "craze/mesh/shapes/round_shapes.h"
 
 namespace craze {
 

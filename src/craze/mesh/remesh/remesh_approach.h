@@ -1,7 +1,7 @@
 // The last step of remeshing: the surface comes within the distance stated.
 #pragma once
 
-#include "craze/mesh/remesh_surface.h"
+#include "craze/mesh/remesh/remesh_surface.h"
 
 namespace craze {
 

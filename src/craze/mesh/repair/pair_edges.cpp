@@ -1,4 +1,4 @@
-#include "craze/mesh/pair_edges.h"
+#include "craze/mesh/repair/pair_edges.h"
 
 #include <algorithm>
 #include <limits>

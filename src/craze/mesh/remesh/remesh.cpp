@@ -1,14 +1,14 @@
-#include "craze/mesh/remesh.h"
+#include "craze/mesh/remesh/remesh.h"
 
 #include <cmath>
 #include <string>
 
 #include "craze/error.h"
-#include "craze/mesh/remesh_approach.h"
-#include "craze/mesh/remesh_edges.h"
-#include "craze/mesh/remesh_surface.h"
-#include "craze/mesh/remesh_transfer.h"
-#include "craze/mesh/remesh_vertices.h"
+#include "craze/mesh/remesh/remesh_approach.h"
+#include "craze/mesh/remesh/remesh_edges.h"
+#include "craze/mesh/remesh/remesh_surface.h"
+#include "craze/mesh/remesh/remesh_transfer.h"
+#include "craze/mesh/remesh/remesh_vertices.h"
 #include "craze/mesh/triangle_mesh.h"
 
 namespace craze {

@@ -1,4 +1,4 @@
-#include "craze/mesh/weld.h"
+#include "craze/mesh/repair/weld.h"
 
 #include <algorithm>
 #include <array>

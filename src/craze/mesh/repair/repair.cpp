@@ -7,12 +7,12 @@
 #include <tuple>
 
 #include "craze/error.h"
-#include "craze/mesh/duplicate_faces.h"
+#include "craze/mesh/repair/duplicate_faces.h"
 #include "craze/mesh/mesh_summary.h"
-#include "craze/mesh/pair_edges.h"
-#include "craze/mesh/surface_source.h"
+#include "craze/mesh/repair/pair_edges.h"
+#include "craze/mesh/remesh/surface_source.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/mesh/weld.h"
+#include "craze/mesh/repair/weld.h"
 
 namespace craze {
 

@@ -1,4 +1,4 @@
-#include "craze/mesh/revolve.h"
+#include "craze/mesh/shapes/revolve.h"
 
 #include <algorithm>
 #include <cmath>

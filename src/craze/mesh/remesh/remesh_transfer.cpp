@@ -1,9 +1,9 @@
-#include "craze/mesh/remesh_transfer.h"
+#include "craze/mesh/remesh/remesh_transfer.h"
 
 #include <algorithm>
 
 #include "craze/base/parallel.h"
-#include "craze/mesh/feature_lines.h"
+#include "craze/mesh/remesh/feature_lines.h"
 
 namespace craze {
 
