@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Builds cracked_presets for WebAssembly in FOLDER and compares what it prints under node with what
+# NATIVE prints: check.sh NATIVE FOLDER. Skipped (77) where em++ or node is missing.
+set -euo pipefail
+native=$(realpath "$1") folder=$2
+for program in em++ node; do
+  if ! command -v "$program" > /dev/null; then
+    echo "no $program"
+    exit 77
+  fi
+done
+
+cd "$(dirname "$0")/../.."
+cmake --preset wasm -B "$folder"
+cmake --build "$folder" --target cracked_presets --parallel "$(nproc)"
+"$native" > "$folder/native.txt"
+node "$folder/tests/wasm/cracked_presets.js" > "$folder/wasm.txt"
+diff "$folder/native.txt" "$folder/wasm.txt"
