@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "craze/base/random.h"
-#include "craze/engine/engine.h"
-#include "craze/mesh/shapes.h"
-#include "craze/products/products.h"
-#include "craze/recipe/presets.h"
+#include "craze/engine.h"
+#include "craze/presets.h"
+#include "craze/products.h"
+#include "craze/shapes.h"
 
 namespace {
 
