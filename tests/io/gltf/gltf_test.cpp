@@ -121,13 +121,18 @@ TEST(Gltf, InterleavedAttributesAndDataUrisAreRead) {
   EXPECT_EQ(mesh.positions[2], Vec3(0, 1, 1));
 }
 
-TEST(Gltf, CompressedAndSparseDataAreNamed) {
+TEST(Gltf, CompressedDataAreNamedUnlessACopyStandsBesideThem) {
   Json json = square_document();
   json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = Json::object();
+  EXPECT_EQ(read(json, load_square).triangles.size(), 2u);
+  json["accessors"][0].erase("bufferView");
   EXPECT_NE(message_of([&] { read(json); }).find("Draco"), std::string::npos);
   json = square_document();
-  json["accessors"][0]["sparse"] = Json::object();
-  EXPECT_NE(message_of([&] { read(json, load_square); }).find("sparse"), std::string::npos);
+  json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = Json::object();
+  EXPECT_EQ(read(json, load_square).triangles.size(), 2u);
+  json["buffers"][0].erase("uri");
+  json["buffers"][0]["extensions"]["EXT_meshopt_compression"]["fallback"] = true;
+  EXPECT_NE(message_of([&] { read(json); }).find("meshopt"), std::string::npos);
 }
 
 TEST(Gltf, BuffersComeOnlyFromTheModelsFolder) {

@@ -168,7 +168,7 @@ GltfAccessors::Layout GltfAccessors::layout(std::size_t accessor) {
     const Json& view = json_.item(root_, "bufferViews", *view_index);
     place(layout, *view_index, json_.index_or(json, "byteOffset", 0),
           json_.index_or(view, "byteStride", 0), name);
-  } else if (layout.count > most_) {
+  } else if (layout.count > most_ / layout.components) {
     json_.fail(
         fmt::format("{} stands for {} zeros, too many for the file's size", name, layout.count));
   }

@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t triangles_mode = 4, strip_mode = 5, fan_mode = 6;
 constexpr Color white{1, 1, 1, 1};
-/// What looking at a primitive costs, counted in vertices.
-constexpr std::size_t primitive_cost = 16;
+/// Of a primitive's JSON, that cost as much as a vertex.
+constexpr std::size_t characters_per_vertex = 64;
 
 }  // namespace
 
@@ -72,6 +72,7 @@ void GltfBuilder::add_primitive(const Json& json, const GltfInstance& instance,
 
   // Primitives that share all attributes share vertices.
   const std::string key = primitive.key();
+  spend(key.size() / characters_per_vertex);
   auto known = placed.find(key);
   if (known == placed.end()) known = placed.emplace(key, add_vertices(primitive, instance)).first;
 

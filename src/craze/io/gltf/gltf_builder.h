@@ -19,6 +19,9 @@ namespace craze {
 /// elements it may expand to beyond twice the bytes that the accessors load.
 class GltfBuilder {
  public:
+  /// What looking at a primitive costs, counted in vertices.
+  static constexpr std::size_t primitive_cost = 16;
+
   /// All must outlive this.
   GltfBuilder(const Json& root, GltfNodes& nodes, GltfAccessors& accessors,
               const MeshSource& source, std::size_t budget)

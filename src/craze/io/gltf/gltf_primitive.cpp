@@ -47,8 +47,8 @@ GltfAccessors::Values GltfPrimitive::read(const char* key, std::size_t component
       json_.fail(fmt::format("the accessor of {} has not the size it should have", printable(key)));
     }
   };
-  if (std::string_view(key) == "POSITION") spend_(count_);
   GltfAccessors::Values values = read_accessor(*attributes_, key);
+  if (std::string_view(key) == "POSITION") spend_(count_);
   check(values);
   for (std::size_t t = 0; t < std::min(weights_.size(), targets_->size()); ++t) {
     const Json& target = (*targets_)[t];

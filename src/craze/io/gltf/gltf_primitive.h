@@ -14,7 +14,7 @@ namespace craze {
 class GltfPrimitive {
  public:
   /// All must outlive this. `weights`: the node's or the mesh's, one per target; those missing are
-  /// 0. `spend` is told how many vertices are to be placed or moved, before they are. Throws
+  /// 0. `spend` is told how many vertices are placed or moved. Throws
   /// Error(input).
   GltfPrimitive(const Json& primitive, const std::vector<double>& weights, GltfAccessors& accessors,
                 std::function<void(std::size_t)> spend, const std::string& name);

@@ -75,7 +75,8 @@ SurfaceMesh read_gltf(const MeshSource& source) {
   GltfNodes nodes(root, name);
   GltfAccessors accessors(root, chunks.bin, source.files, budget, name);
   GltfBuilder builder(root, nodes, accessors, source, budget);
-  const std::vector<GltfInstance> instances = scene_instances(root, nodes, accessors, budget, name);
+  const std::vector<GltfInstance> instances =
+      scene_instances(root, nodes, accessors, budget / GltfBuilder::primitive_cost, name);
   ProgressMeter meter(source.context, "load", instances.size(), 1);
   for (std::size_t i = 0; i < instances.size(); ++i) {
     meter.at(i);
