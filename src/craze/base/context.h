@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <string_view>
 
@@ -16,6 +17,11 @@ struct Progress {
   double load = 0;  ///< load factor s, or simulated time
 };
 
+/// Thrown where a computation is cancelled before there is anything worth keeping.
+struct Cancelled : std::exception {
+  const char* what() const noexcept override { return "cancelled"; }
+};
+
 /// Passed by reference to every long call; copies share the callbacks.
 struct Context {
   int threads = 0;                                ///< 0: one per core
@@ -23,6 +29,9 @@ struct Context {
   std::function<bool()> cancelled;                ///< polled between events
 
   bool is_cancelled() const { return cancelled && cancelled(); }
+  void throw_if_cancelled() const {
+    if (is_cancelled()) throw Cancelled();
+  }
   void report(const Progress& p) const {
     if (progress) progress(p);
   }
