@@ -222,9 +222,32 @@ TEST(EulerRelaxation, ARunOfManyStepsIsAsManyRunsOfOneToSinglePrecision) {
   }
 }
 
+TEST(EulerRelaxation, TakesTooLongAStepAsTheFewestStableOnesOverTheSameTime) {
+  const TriangleMesh mesh = mesh_of("plate?n=12&jitter=0.3");
+  const std::vector<Sym3> stress = random_stress(mesh, 14);
+  for (const double adhesion : {0.0, 1e4}) {
+    StressField split = field_of(mesh, stress), fine = split;
+    StiffnessBound bound(adhesion);
+    bound.update(mesh, split);
+    for (const double steps : {0.7, 1.3, 5.2}) {  // in the longest that is known to be stable
+      const double dt = steps * 2 / bound.value();
+      EulerRelaxation relaxation(mesh, split, {dt, adhesion, 0});
+      const double parts = relaxation.parts_of_a_step();
+      EXPECT_EQ(parts, std::ceil(steps));
+      const double before = energy(mesh, split, adhesion);
+      relaxation.run(split, mesh, 3, 1);
+      EXPECT_LE(energy(mesh, split, adhesion), before);
+      test::relax(mesh, fine, {dt / parts, adhesion, 0}, 3 * static_cast<std::int64_t>(parts));
+    }
+    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+      EXPECT_LT((split.displacement(v) - fine.displacement(v)).norm(), 1e-5);
+    }
+  }
+}
+
 TEST(EulerRelaxation, KeepsUpWithWhatCracksMakeOfTheMesh) {
   const TriangleMesh start = mesh_of("plate?n=20&jitter=0.3");
-  CrackedSheet sheet = sheet_of(start, random_stress(start, 13), singular_value_cap(start));
+  CrackedSheet sheet = test::sheet_of(start, random_stress(start, 13), singular_value_cap(start));
   const TriangleMesh& mesh = sheet.mesh();
   StressField& field = sheet.field();
   EulerRelaxation at_once(mesh, field, {0.05, 0, 0}), one_by_one(mesh, field, {0.05, 0, 0});
