@@ -195,6 +195,7 @@ TEST(Simulation, CracksAsManyNodesInAStepAsItsEngineIsToldTo) {
       p.layer = {};
       p.material.toughness = 0.005;  // many fail at once
       p.evolution.cracks_per_step = most;
+      p.evolution.max_cracks = 120;
       Simulation s = simulation_of("plate?n=16&jitter=0.3", p);
       std::int64_t last = 0, greatest = 0;
       Context context;
