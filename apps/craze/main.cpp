@@ -6,9 +6,11 @@
 
 #include "app.h"
 #include "craze/base/version.h"
+#include "craze/context.h"
 #include "craze/error.h"
 #include "craze/recipe/nearest_name.h"
 #include "error_line.h"
+#include "interrupt.h"
 
 namespace {
 
@@ -76,6 +78,8 @@ int main(int argc, char** argv) {
   } catch (const craze::Error& e) {
     print_error(e.what());
     return e.kind() == craze::ErrorKind::usage ? wrong_usage : failed;
+  } catch (const craze::Cancelled&) {
+    return craze::app::interrupt_code();
   } catch (const std::bad_alloc&) {
     print_error("out of memory: try a coarser mesh.edge or a smaller input");
   } catch (const std::exception& e) {

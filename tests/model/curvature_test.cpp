@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "craze/base/random.h"
+#include "craze/error.h"
 #include "craze/mesh/tangent_frame.h"
 #include "model/analytic_surfaces.h"
 
@@ -164,6 +165,29 @@ TEST(Curvature, APlateHasNoneAndTheFarSideOfAThinWallDoesNotCount) {
   const auto together = face_curvature(TriangleMesh(positions, triangles), 0.25, Context{});
   const auto alone = face_curvature(outer, 0.25, Context{});
   for (std::size_t f = 0; f < alone.size(); ++f) EXPECT_EQ(together[f].xx, alone[f].xx);
+}
+
+TEST(Curvature, IsRefusedWhereItWouldTakeHours) {
+  const TriangleMesh mesh = torus(300, 1, tube, 0.2);
+  EXPECT_THROW(face_curvature(mesh, 10, Context{}), Error);
+  EXPECT_THROW(vertex_curvature(mesh, 10, Context{}), Error);
+}
+
+TEST(Curvature, SaysHowFarItIsAndCanBeCancelled) {
+  const TriangleMesh mesh = torus(48, 1, tube, 0.2);
+  Context context;
+  context.threads = 1;
+  double last = 0;
+  int reports = 0;
+  context.progress = [&](const Progress& p) {
+    EXPECT_GT(p.fraction, last);
+    last = p.fraction;
+    ++reports;
+  };
+  face_curvature(mesh, 0.6, context);
+  EXPECT_GT(reports, 2);
+  context.cancelled = [&] { return true; };
+  EXPECT_THROW(face_curvature(mesh, 0.6, context), Cancelled);
 }
 
 TEST(Curvature, IsTheSameOnAnyNumberOfThreads) {

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "craze/error.h"
 #include "craze/mesh/validate.h"
@@ -133,6 +135,78 @@ TEST(Simulation, ACancelledRunGoesOnToTheSameEnd) {
   parts.run({});
   EXPECT_EQ(parts.mesh().triangles(), whole.mesh().triangles());
   EXPECT_EQ(parts.crack_times(), whole.crack_times());
+}
+
+TEST(Simulation, IsHeardWhileItRelaxesAndGoesOnToTheSameEnd) {
+  SimulationParameters p = small_run();
+  p.evolution.relaxation_steps = 20000;
+  p.evolution.max_cracks = 2;
+  for (const Engine engine : {Engine::euler, Engine::quasistatic}) {
+    p.engine = engine;
+    // Without adhesion the steps are Chebyshev's.
+    p.layer.screening_length = engine == Engine::euler ? 0.12 : 0;
+    Simulation whole = simulation_of("plate?n=40&jitter=0.3", p);
+    whole.run({});
+    Simulation parts = simulation_of("plate?n=40&jitter=0.3", p);
+    Context context;
+    context.threads = 1;
+    bool asked = false;
+    context.cancelled = [&] { return std::exchange(asked, !asked); };
+    int runs = 1;
+    while (parts.run(context) == StopReason::cancelled) ++runs;
+    EXPECT_GT(runs, 1);
+    EXPECT_EQ(parts.mesh().triangles(), whole.mesh().triangles());
+    EXPECT_TRUE(test::same_bytes(parts.field(), whole.field()));
+  }
+}
+
+TEST(Simulation, CancelledBeforeItStartsIsNone) {
+  Context context;
+  context.cancelled = [] { return true; };
+  const TriangleMesh mesh = mesh_of("plate?n=4");
+  EXPECT_THROW(Simulation(mesh, test::noisy_tension(mesh, 1), small_run(), context), Cancelled);
+}
+
+TEST(Simulation, KeepsNothingOfWhereItWasMovedFrom) {
+  const TriangleMesh mesh = mesh_of("sphere?n=4");
+  SimulationParameters p = small_run();
+  p.evolution.shrinkage = 0.05;
+  p.evolution.max_cracks = 20;
+  SimulationFields fields = test::noisy_tension(mesh, 1);
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    fields.growth.push_back(to_world(Sym2::isotropic(0.1), tangent_frame(mesh, f)));
+  }
+  Simulation stays(mesh, fields, p, {});
+  stays.run({});
+  auto source = std::make_unique<Simulation>(mesh, fields, p, Context{});
+  Simulation moved(std::move(*source));
+  source.reset();
+  moved.run({});
+  EXPECT_EQ(moved.mesh().triangles(), stays.mesh().triangles());
+  EXPECT_TRUE(test::same_bytes(moved.field(), stays.field()));
+}
+
+TEST(Simulation, CracksAsManyNodesInAStepAsItsEngineIsToldTo) {
+  // Without adhesion "quasistatic" flows too, and takes the same number.
+  for (const Engine engine : {Engine::euler, Engine::quasistatic}) {
+    for (const std::int64_t most : {1, 3, 40}) {
+      SimulationParameters p = small_run();
+      p.engine = engine;
+      p.layer = {};
+      p.material.toughness = 0.005;  // many fail at once
+      p.evolution.cracks_per_step = most;
+      p.evolution.max_cracks = 120;
+      Simulation s = simulation_of("plate?n=16&jitter=0.3", p);
+      std::int64_t last = 0, greatest = 0;
+      Context context;
+      context.progress = [&](const Progress& progress) {
+        greatest = std::max(greatest, progress.cracks - last);
+        last = progress.cracks;
+      };
+      s.run(context);
+      EXPECT_EQ(greatest, most);
+    }
+  }
 }
 
 TEST(Simulation, ShrinkageRaisesTheLoadUntilTheLimit) {

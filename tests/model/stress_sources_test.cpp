@@ -320,5 +320,22 @@ TEST(StressSources, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
+TEST(StressSources, RefuseImpactsThatWouldTakeHours) {
+  const TriangleMesh mesh = test::plate(30, 1, 0);
+  const std::vector<Impact> many(1'000'000);
+  EXPECT_THROW(stress(mesh, nothing(), many), Error);
+}
+
+TEST(StressSources, AreHeardBetweenImpacts) {
+  const TriangleMesh mesh = test::plate(10, 1, 0);
+  Context context;
+  int reports = 0;
+  context.progress = [&](const Progress&) { ++reports; };
+  context.cancelled = [&] { return reports == 3; };
+  const std::vector<Impact> many(100);
+  EXPECT_THROW(initial_stress(mesh, nothing(), many, 1, {}, context), Cancelled);
+  EXPECT_EQ(reports, 3);
+}
+
 }  // namespace
 }  // namespace craze

@@ -27,7 +27,7 @@ SurfacePoint nearest(const TriangleMesh& mesh, const Vec3& p) {
 
 void expect_straight(const TriangleMesh& mesh, const Vec3& from, double tolerance) {
   const SurfacePoint source = nearest(mesh, from);
-  const SurfaceDistance d = surface_distance(mesh, source);
+  const SurfaceDistance d = surface_distance(mesh, source, {});
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const Vec3 ray = centroid(mesh, f) - source.position;
     EXPECT_NEAR(d.face[f], ray.norm(), tolerance * ray.norm());
@@ -50,7 +50,7 @@ TEST(SurfaceDistance, FollowsTheSphereNotTheChord) {
   for (const int n : resolutions) {
     const TriangleMesh mesh = test::sphere(n, 1, 0.1);
     const SurfacePoint source = nearest(mesh, {0.3, 0.5, 0.9});
-    const SurfaceDistance d = surface_distance(mesh, source);
+    const SurfaceDistance d = surface_distance(mesh, source, {});
     double worst = 0;
     for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
       const Vec3 c = centroid(mesh, f);
@@ -66,7 +66,7 @@ TEST(SurfaceDistance, FollowsTheSphereNotTheChord) {
 TEST(SurfaceDistance, RunsAroundATubeNotThroughIt) {
   const TriangleMesh mesh = test::cylinder(120, 1, 0.1);
   const SurfacePoint source = nearest(mesh, {1, 0, 0.5});
-  const SurfaceDistance d = surface_distance(mesh, source);
+  const SurfaceDistance d = surface_distance(mesh, source, {});
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     const Vec3& p = mesh.position(v);
     const double angle = std::atan2(p.y(), p.x());
@@ -83,7 +83,7 @@ TEST(SurfaceDistance, GoesAroundAHole) {
     if (std::abs(c.x()) > 0.1 || c.y() > 0.25) kept.push_back(whole.triangle(f));
   }
   const TriangleMesh mesh(whole.positions(), kept);
-  const SurfaceDistance d = surface_distance(mesh, nearest(mesh, {-0.3, -0.25, 0}));
+  const SurfaceDistance d = surface_distance(mesh, nearest(mesh, {-0.3, -0.25, 0}), {});
   const std::int32_t target = nearest(mesh, {0.3, -0.25, 0}).face;
   const double exact = 2 * std::hypot(0.2, 0.5) + 0.2;
   EXPECT_NEAR(d.face[target], exact, 0.02);
@@ -91,7 +91,7 @@ TEST(SurfaceDistance, GoesAroundAHole) {
 
 TEST(SurfaceDistance, StopsAtItsReachAndAtTheEdgeOfAComponent) {
   const TriangleMesh mesh = test::plate(20, 1, 0.1);
-  const SurfaceDistance d = surface_distance(mesh, nearest(mesh, {0, 0, 0}), 0.2);
+  const SurfaceDistance d = surface_distance(mesh, nearest(mesh, {0, 0, 0}), {}, 0.2);
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     EXPECT_EQ(std::isfinite(d.vertex[v]), mesh.position(v).norm() <= 0.2) << v;
   }

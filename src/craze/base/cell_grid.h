@@ -1,6 +1,7 @@
 // Space in cubes, for finding what is near.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -30,7 +31,12 @@ class CellGrid {
   }
 
  private:
-  std::int64_t index(double x) const { return static_cast<std::int64_t>(std::floor(x / size_)); }
+  std::int64_t index(double x) const {
+    // Far out all is one cube: whatever the size, a number that fits.
+    constexpr double farthest = 4e18;
+    return static_cast<std::int64_t>(
+        std::max(-farthest, std::min(farthest, std::floor(x / size_))));
+  }
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
     return hash_bits(
         static_cast<std::uint64_t>(x) ^

@@ -1,6 +1,7 @@
 #include "craze/model/junction_drift.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace craze {
@@ -85,9 +86,24 @@ CrackNetwork in_equal_pieces(const CrackNetwork& network, double step) {
   return made;
 }
 
+double total_length(const CrackNetwork& network) {
+  double length = 0;
+  for (const CrackEdge& e : network.edges) {
+    length += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
+  }
+  return length;
+}
+
+// Pieces of all cracks together, at most.
+constexpr double most_pieces = 1e7;
+
 }  // namespace
 
 CrackNetwork drifted(const CrackNetwork& network, double distance) {
+  assert(distance > 0);
+  const double length = total_length(network);
+  if (!(4 * length / distance < most_pieces)) return network;
+  distance = std::min(distance, length);
   const double step = distance / 4, shortest = step / 2;
   CrackNetwork moved = in_equal_pieces(network, step);
   const Links links = links_of(moved);

@@ -17,7 +17,8 @@ namespace craze {
 /// time distance²/2, by explicit steps on pieces a quarter of `distance` long. Ends of cracks, on
 /// borders too, stay where they are. Lengths never grow.
 ///
-/// distance > 0, length: how far diffusion reaches, hence about how far a junction can move.
+/// distance > 0, length: how far diffusion reaches, hence about how far a junction can move; more
+/// than all cracks are long counts as that, and less than 4·10⁻⁷ of it moves nothing.
 /// Nodes of the result have positions, normals and kinds, edges have ends.
 CrackNetwork drifted(const CrackNetwork& network, double distance);
 

@@ -50,7 +50,8 @@ SimulationParameters resolve_lengths(SimulationParameters p, double diagonal) {
   if (material.lookahead == 0) {
     material.lookahead = material.relative_lookahead * layer.screening_length;
   }
-  if (material.criterion == Criterion::strength && material.relative_toughness > 0) {
+  if (material.criterion == Criterion::strength && material.relative_toughness > 0 &&
+      layer.screening_length > 0) {
     material.toughness =
         material.relative_toughness * material.strength * std::sqrt(layer.screening_length);
   }

@@ -14,7 +14,8 @@ double bounding_diagonal(const std::vector<Vec3>& positions);
 /// The parameters with everything relative made absolute, for an object of that diagonal:
 /// layer.spacing from relative_spacing, layer.screening_length ℓ from the spacing (at the load
 /// max_load), stress.noise_length, material.scatter_length, lookahead and toughness from their
-/// relative_ keys. What is absolute already stays.
+/// relative_ keys; without adhesion, where √ℓ says nothing, the toughness stays as given. What is
+/// absolute already stays.
 SimulationParameters resolve_lengths(SimulationParameters parameters, double diagonal);
 
 /// Mean spacing √Ā of the cracks over ℓ, after loading up to max_load times the strength. A strip

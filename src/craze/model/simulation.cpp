@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
 #include <string>
 
 #include "craze/error.h"
@@ -29,14 +30,68 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Nodes cracked in one step at most.
-constexpr std::int64_t largest_batch = 64;
+// Numbers beyond these, in any unit, overflow where they are squared and multiplied.
+constexpr double least_number = 1e-60, greatest_number = 1e60;
+// Element updates after which a run in which nothing fails is given up: some minutes.
+constexpr double most_idle_work = 3e10;
+// What adding the growth to an element costs, in updates.
+constexpr double growth_cost = 30;
+
+void check_number(double value, const char* name) {
+  if (value == 0 || (std::abs(value) >= least_number && std::abs(value) <= greatest_number)) return;
+  std::ostringstream why;
+  why << value << " is out of the range that can be computed with, " << least_number << " to "
+      << greatest_number;
+  throw Error(ErrorKind::request, "cannot simulate", name, why.str());
+}
+
+SimulationParameters checked(const SimulationParameters& p) {
+  const auto positive = [](double value, const char* name) {
+    if (value > 0) return check_number(value, name);
+    throw Error(ErrorKind::request, "cannot simulate", name,
+                "it must be more than 0: what resists nothing is cracked everywhere");
+  };
+  if (p.material.criterion == Criterion::strength)
+    positive(p.material.strength, "material.strength");
+  positive(p.material.toughness, "material.toughness");
+  check_number(p.layer.screening_length, "layer.screening_length");
+  check_number(p.evolution.shrinkage, "evolution.shrinkage");
+  return p;
+}
+
+/// Asks the context whether to stop, and reports, no more often than is of use.
+class Heartbeat {
+ public:
+  Heartbeat(const Context& context, const Progress& progress)
+      : context_(context), progress_(progress) {}
+
+  bool stopped() const { return stopped_; }
+  bool stops() {
+    const auto now = Clock::now();
+    if (now - last_ < std::chrono::milliseconds(50)) return stopped_;
+    last_ = now;
+    context_.report(progress_);
+    return stopped_ = stopped_ || context_.is_cancelled();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const Context& context_;
+  Progress progress_;
+  Clock::time_point last_ = Clock::now();
+  bool stopped_ = false;
+};
 
 void check_size(std::size_t size, std::size_t expected, const char* name) {
   if (size != 0 && size != expected) {
     throw Error(ErrorKind::request, "wrong number of values", name,
                 std::to_string(size) + " given, " + std::to_string(expected) + " needed");
   }
+}
+
+void check_stress(const Sym3& sigma) {
+  const double size = sigma.matrix().cwiseAbs().maxCoeff();
+  if (!(size <= greatest_number)) check_number(size, "stress");
 }
 
 void check_sizes(const SimulationFields& fields, const TriangleMesh& mesh) {
@@ -53,10 +108,13 @@ void check_sizes(const SimulationFields& fields, const TriangleMesh& mesh) {
 }
 
 /// The mesh under σ₀, with its held and pinned nodes. Throws Error(request) where a field's size is
-/// wrong.
-CrackedSheet stressed_sheet(TriangleMesh mesh, const SimulationFields& fields, Engine engine) {
+/// wrong or a stress out of range, and Cancelled.
+CrackedSheet stressed_sheet(TriangleMesh mesh, const SimulationFields& fields, Engine engine,
+                            const Context& context) {
   check_sizes(fields, mesh);
+  context.check();
   StressField field(mesh, engine_singular_value_cap(mesh, engine));
+  context.check();
   for (std::size_t v = 0; v < fields.fixed.size(); ++v) {
     if (!fields.fixed[v]) continue;
     field.hold(static_cast<std::int32_t>(v));
@@ -66,11 +124,23 @@ CrackedSheet stressed_sheet(TriangleMesh mesh, const SimulationFields& fields, E
     if (fields.pinned[v]) mesh.pin(static_cast<std::int32_t>(v));
   }
   for (std::size_t f = 0; f < fields.stress.size(); ++f) {
+    check_stress(fields.stress[f]);
     field.add_stress(mesh, static_cast<std::int32_t>(f), fields.stress[f]);
   }
   if (!fields.adhesion_scale.empty()) field.set_adhesion(mesh, fields.adhesion_scale);
   field.update_forces(mesh);
   return {std::move(mesh), std::move(field)};
+}
+
+/// Area mean of √(½ Σ g²), force/length.
+double growth_tension(const TriangleMesh& mesh, const std::vector<Sym3>& growth) {
+  double sum = 0, area = 0;
+  for (std::size_t f = 0; f < growth.size(); ++f) {
+    const double a = mesh.area(static_cast<std::int32_t>(f));
+    sum += a * std::sqrt(0.5) * growth[f].matrix().norm();
+    area += a;
+  }
+  return area > 0 ? sum / area : 0;
 }
 
 /// Area mean of tr σ / 2, force/length.
@@ -84,6 +154,12 @@ double mean_tension(const CrackedSheet& sheet) {
   return area > 0 ? tension / area : 0;
 }
 
+InitialLoad initial_load(const CrackedSheet& sheet, std::vector<Sym3> growth) {
+  InitialLoad load{mean_tension(sheet), std::move(growth), 0};
+  load.growth_tension = growth_tension(sheet.mesh(), load.growth);
+  return load;
+}
+
 }  // namespace
 
 const char* to_string(StopReason reason) {
@@ -94,6 +170,10 @@ const char* to_string(StopReason reason) {
       return "max_load";
     case StopReason::max_cracks:
       return "max_cracks";
+    case StopReason::shattered:
+      return "shattered";
+    case StopReason::idle:
+      return "idle";
     case StopReason::cancelled:
       return "cancelled";
   }
@@ -102,20 +182,29 @@ const char* to_string(StopReason reason) {
 
 Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
                        const SimulationParameters& parameters, const Context& context)
-    : parameters_(resolve_lengths(parameters, bounding_diagonal(mesh.positions()))),
+    : parameters_(checked(resolve_lengths(parameters, bounding_diagonal(mesh.positions())))),
       fields_(std::move(fields)),
       // 1. Initialize the stress field according to heuristics and optionally evolve it.
-      sheet_(stressed_sheet(std::move(mesh), fields_, running_engine(parameters_))),
-      loading_(make_loading(parameters_, {mean_tension(sheet_), std::move(fields_.growth)})),
+      sheet_(stressed_sheet(std::move(mesh), fields_, running_engine(parameters_), context)),
+      loading_(make_loading(parameters_, initial_load(sheet_, std::move(fields_.growth)))),
       relaxation_(make_relaxation(sheet_.mesh(), sheet_.field(), parameters_)),
-      watch_(parameters_) {
+      watch_(parameters_),
+      // Twice the edges of the input: when as many pieces of crack are open, few are left whole.
+      most_segments_(3 * std::int64_t{sheet_.mesh().face_count()} + 1000) {
   // 2. Compute the failure criteria for each node and store them in a priority queue.
-  for (std::int32_t v = 0; v < sheet_.mesh().vertex_count(); ++v) changed_.push_back(v);
-  update_failure_criteria(context);
+  constexpr std::int32_t slice = 1 << 16;
+  const std::int32_t nodes = sheet_.mesh().vertex_count();
+  for (std::int32_t begin = 0; begin < nodes; begin += slice) {
+    context.check();
+    for (std::int32_t v = begin; v < std::min(nodes, begin + slice); ++v) changed_.push_back(v);
+    update_failure_criteria(context);
+    context.report({"prepare", static_cast<double>(begin) / nodes, 0, sheet_.mesh().face_count()});
+  }
 }
 
 StopReason Simulation::run(const Context& context) {
-  if (running_engine(parameters_) == Engine::quasistatic && events_ == 0) {
+  const bool starts = running_engine(parameters_) == Engine::quasistatic && events_ == 0;
+  if (starts || interrupted_) {
     evolve(context);
     update_failure_criteria(context);
   }
@@ -130,8 +219,13 @@ StopReason Simulation::run(const Context& context) {
     context.report({"crack", -1, events_, mesh().face_count(), load()});
   }
   relaxation_->release_memory();
+  check_state();
   // 4. For display: post/ and render/.
   return stop_;
+}
+
+double Simulation::idle_work() const {
+  return static_cast<double>(element_updates() - updates_at_crack_) + growth_cost * idle_growth_;
 }
 
 bool Simulation::can_continue(const Context& context) {
@@ -140,8 +234,10 @@ bool Simulation::can_continue(const Context& context) {
     return false;
   };
   const std::int64_t limit = parameters_.evolution.max_cracks;
-  if (context.is_cancelled()) return stop(StopReason::cancelled);
+  if (interrupted_ || context.is_cancelled()) return stop(StopReason::cancelled);
   if (limit > 0 && events_ >= limit) return stop(StopReason::max_cracks);
+  if (segments() >= most_segments_) return stop(StopReason::shattered);
+  if (idle_work() > most_idle_work) return stop(StopReason::idle);
   if (loading_->reached_max_load()) return stop(StopReason::max_load);
   const std::int32_t next = watch_.next(scene());
   if (next >= 0 && fails_now(next)) return true;
@@ -159,7 +255,7 @@ bool Simulation::can_continue(const Context& context) {
 bool Simulation::fails_now(std::int32_t v) const {
   // advance() raises the load to 1 / measure, rounded.
   constexpr double rounding = 1e-12;
-  return watch_.measure(v) * loading_->load_of_step() >= 1 - rounding;
+  return !(watch_.measure(v) * loading_->load_of_step() < 1 - rounding);
 }
 
 void Simulation::crack_mesh() {
@@ -167,8 +263,7 @@ void Simulation::crack_mesh() {
   // Nodes that fail far from each other do not interact: they crack in one step. A node too close
   // to one that is already taken keeps its place in the queue.
   const double apart = relaxation_->independence_distance();
-  const std::int64_t most =
-      parameters_.engine == Engine::euler ? parameters_.evolution.cracks_per_step : largest_batch;
+  const std::int64_t most = relaxation_->most_cracks_at_once();
   std::vector<Vec3> taken;
   std::vector<std::int32_t> waiting;
   std::int64_t cracked = 0;
@@ -215,6 +310,8 @@ bool Simulation::crack_at(std::int32_t v) {
     opened_.push_back({s, loading_->time(), static_cast<std::int32_t>(events_)});
   }
   ++events_;
+  idle_growth_ = 0;
+  updates_at_crack_ = element_updates();
   watch_.opened(scene(), v, normal, outcome_, changed_);
   relaxation_->mesh_changed(mesh(), outcome_);
   return true;
@@ -228,7 +325,8 @@ void Simulation::run_on(const Vec3& start, const Vec3& normal, const CrackRules&
   };
   const std::vector<std::int32_t> tips = outcome_.tips;
   for (std::int32_t tip : tips) {
-    while (may_run(tip)) {
+    // A plane meets each face once: around a closed surface the crack is back by then.
+    for (std::int32_t faces = mesh().face_count(); may_run(tip) && faces > 0; --faces) {
       const auto label = static_cast<std::int32_t>(opened_.size() + outcome_.segments.size());
       open_crack(sheet_, tip, normal, rules, label, step_);
       if (step_.empty()) break;
@@ -241,11 +339,28 @@ void Simulation::run_on(const Vec3& start, const Vec3& normal, const CrackRules&
 
 void Simulation::evolve(const Context& context) {
   const Stopwatch watch(times_.relax);
+  Heartbeat heartbeat(context, {"crack", -1, events_, mesh().face_count(), load()});
   // 3b.i Relaxation.
-  relaxation_->relax(sheet_.field(), mesh(), loading_->load(), context.threads, changed_);
+  relaxation_->relax(
+      sheet_.field(), mesh(), loading_->load(), context.threads, [&] { return heartbeat.stops(); },
+      changed_);
+  interrupted_ = heartbeat.stopped();
+  if (interrupted_) return;
   // 3b.ii Shrinkage tension and curvature biasing.
   if (!loading_->grow(sheet_.field(), mesh())) return;
+  idle_growth_ += mesh().face_count();
   for (std::int32_t v = 0; v < mesh().vertex_count(); ++v) changed_.push_back(v);
+}
+
+void Simulation::check_state() const {
+  double sum = 0;  // not finite where any number is not
+  for (const Vec4d& u : field().displacements()) sum += 0 * (u[0] + u[1] + u[2]);
+  for (const Vec4d& f : field().forces()) sum += 0 * (f[0] + f[1] + f[2]);
+  for (const Element& e : field().elements()) sum += 0 * (e.t[0] + e.t[1] + e.t[2]);
+  if (sum == 0) return;
+  throw Error(ErrorKind::request, "the simulation has left the range of numbers", "",
+              "its stress is not finite; look for a stress, length or toughness far from the others"
+              " in size");
 }
 
 void Simulation::update_failure_criteria(const Context& context) {

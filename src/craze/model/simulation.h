@@ -22,6 +22,8 @@ enum class StopReason {
   equilibrium,  ///< nothing moves and nothing can fail any more
   max_load,
   max_cracks,
+  shattered,  ///< there are as many pieces of crack as the mesh can tell apart
+  idle,       ///< loading goes on, but nothing has failed for very long
   cancelled,
 };
 const char* to_string(StopReason reason);
@@ -44,12 +46,18 @@ struct OpenedSegment {
 /// parameters give the same bytes on any number of threads.
 class Simulation {
  public:
-  /// Steps 1 and 2 of the pseudo-code. Throws Error(request) where a field's size is wrong.
+  /// Steps 1 and 2 of the pseudo-code. Throws Error(request) where a field's size is wrong, a
+  /// parameter or a stress is out of the range that can be computed with, or the work would take
+  /// hours between two cracks; and Cancelled.
   Simulation(TriangleMesh mesh, SimulationFields fields, const SimulationParameters& parameters,
              const Context& context);
 
   /// Step 3, until nothing can fail, a limit is reached or the context cancels. The state is
-  /// consistent whenever it returns.
+  /// consistent whenever it returns. Throws Error(request) where it is not finite any more.
+  ///
+  /// It ends: a pass opens at least one segment, of which there are at most most_segments_; or
+  /// none, and stops as idle after a number of updates; of passes that update nothing there are no
+  /// more than nodes, each of which makes a node wait until its star or its stress has changed.
   StopReason run(const Context& context);
 
   const TriangleMesh& mesh() const { return sheet_.mesh(); }
@@ -77,6 +85,7 @@ class Simulation {
   const PhaseTimes& times() const { return times_; }
 
  private:
+  double idle_work() const;
   bool can_continue(const Context& context);
   bool fails_now(std::int32_t v) const;
   FailureWatch::Scene scene() { return {mesh(), field(), fields_, *loading_, *relaxation_}; }
@@ -84,6 +93,7 @@ class Simulation {
   bool crack_at(std::int32_t v);
   void run_on(const Vec3& start, const Vec3& normal, const CrackRules& rules);
   void evolve(const Context& context);
+  void check_state() const;
   void update_failure_criteria(const Context& context);
 
   SimulationParameters parameters_;
@@ -97,6 +107,10 @@ class Simulation {
   std::vector<OpenedSegment> opened_;
   std::vector<std::int32_t> changed_;  // nodes to be evaluated again
 
+  std::int64_t most_segments_;
+  bool interrupted_ = false;  // while relaxing
+  double idle_growth_ = 0;    // elements that grew since the last crack
+  std::int64_t updates_at_crack_ = 0;
   std::int64_t events_ = 0;
   StopReason stop_ = StopReason::equilibrium;
   PhaseTimes times_;

@@ -16,6 +16,8 @@ constexpr ParameterRange positive_share{0, 1, true};
 constexpr ParameterRange angle{0, 90};
 constexpr ParameterRange count{0, 9007199254740992.0};  // 2^53: whole in a double, and in JSON
 constexpr ParameterRange from_one{1, count.high};
+// Of things each of which is a run of its own.
+constexpr ParameterRange runs{0, 1000}, runs_from_one{1, 1000};
 
 std::vector<Parameter> make_table() {
   std::vector<Parameter> t;
@@ -92,7 +94,7 @@ std::vector<Parameter> make_table() {
 
   Section(
       t, "material.", [](auto& r, std::size_t) -> auto& { return r.simulation.material; })
-      .add("toughness", &MaterialParameters::toughness, not_negative,
+      .add("toughness", &MaterialParameters::toughness, positive,
            {.help = "a node fails where the separation tensor's eigenvalue exceeds it",
             .symbol = "τ",
             .unit = "force",
@@ -156,7 +158,7 @@ std::vector<Parameter> make_table() {
            {.help = "over which a crack unloads its surroundings; 0: no adhesion, as in the paper",
             .symbol = "ℓ",
             .unit = "length"})
-      .add("rounds", &LayerParameters::rounds, count,
+      .add("rounds", &LayerParameters::rounds, runs,
            {.help = "times at most that all is cracked anew with the screening length put right by "
                     "the spacing that came out, until it is within 5 % of what was asked for"})
       .add("attribute", &LayerParameters::attribute, any,
@@ -198,7 +200,7 @@ std::vector<Parameter> make_table() {
                    "at which nodes fail (quasistatic)"})
       .add("max_cracks", &EvolutionParameters::max_cracks, count,
            {.help = "crack events to stop after; 0: no limit"})
-      .add("cycles", &EvolutionParameters::cycles, from_one,
+      .add("cycles", &EvolutionParameters::cycles, runs_from_one,
            {.help = "times the layer cracks; in between it heals, and the last cycle is the result",
             .source = "Goehring et al. 2010"})
       .add("healing", &EvolutionParameters::healing, positive_share,

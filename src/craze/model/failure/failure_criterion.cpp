@@ -73,7 +73,8 @@ double mean_tension_ahead(const TriangleMesh& mesh, const StressField& field, st
     std::int32_t edge = TriangleMesh::next(spoke);
     Vec3 from = start;
     double walked = 0;
-    while (walked < length) {
+    // Around a closed surface the plane comes back: it meets no face twice before.
+    for (std::int32_t faces = mesh.face_count(); walked < length && faces > 0; --faces) {
       // The plane leaves the face of `edge` through it, if it meets it.
       const double a = height(mesh.from(edge)), b = height(mesh.to(edge));
       if ((a >= 0) == (b >= 0)) return;

@@ -13,6 +13,8 @@ namespace {
 
 // A piece is felt up to this many deviations from it.
 constexpr double reach = 6.5;
+// Of the longest piece.
+constexpr double least_width = 1e-9;
 
 }  // namespace
 
@@ -27,6 +29,8 @@ HealedCracks::HealedCracks(std::span<const HealedPiece> pieces, double ratio, do
     pieces_.push_back({piece.start, d.normalized(), normal.normalized(), d.norm()});
     longest = std::max(longest, d.norm());
   }
+  // Too narrow to be told from none.
+  if (width_ < least_width * longest) pieces_.clear();
   cell_size_ = reach * width_ + longest / 2;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Vec3 middle = pieces_[i].start + 0.5 * pieces_[i].length * pieces_[i].along;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -48,7 +49,8 @@ void Equilibrium::release_memory() {
 
 void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
                           const std::vector<std::int32_t>& changed, const Threads& threads,
-                          std::vector<std::int32_t>& moved) {
+                          std::vector<std::int32_t>& moved, const StopQuestion& stop) {
+  assert(options_.adhesion > 0 && options_.reach > 0);
   drift_.resize(mesh.vertex_count(), 0);
   allowed_.resize(mesh.vertex_count(), 0);
   slot_.resize(mesh.vertex_count(), -1);
@@ -79,7 +81,7 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
     // first time they are far apart, and what little is left between them goes with them.
     if (again) part *= 0.5;
     layer.tolerance = patch_count_ > 1 ? part * options_.tolerance : options_.tolerance;
-    solve(layer, !again || patch_count_ == 1, threads);
+    solve(layer, !again || patch_count_ == 1, threads, stop);
     apply(field, layer, threads);
     parallel_for(threads, patch_count_, 1, [&](std::size_t i, std::size_t) { review(layer, i); });
     open.clear();
@@ -93,10 +95,11 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
       open.insert(open.end(), patch.open.begin(), patch.open.end());
       largest = std::max(largest, patch.largest_residual);
     }
+    if (stop && stop()) break;
     std::sort(open.begin(), open.end());
     open.erase(std::unique(open.begin(), open.end()), open.end());
   }
-  if (!open.empty()) met_tolerance_ = false;
+  if (!open.empty() && !(stop && stop())) met_tolerance_ = false;
 }
 
 void Equilibrium::review(const LayerState& layer, std::size_t index) {
@@ -152,7 +155,11 @@ void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32
   }
 }
 
-void Equilibrium::solve(const LayerState& layer, bool takes_all, const Threads& threads) {
+void Equilibrium::solve(const LayerState& layer, bool takes_all, const Threads& threads,
+                        const StopQuestion& stop) {
+  // A question is asked in this thread alone: of a single patch, the one that may be large.
+  const StopQuestion none;
+  const StopQuestion& asked = patch_count_ == 1 ? stop : none;
   const std::size_t workers = std::min(patch_count_, static_cast<std::size_t>(threads.count()));
   if (marks_.size() < workers) marks_.resize(workers);
   // Patches differ in size: each worker takes the next one. Which does which changes nothing.
@@ -163,7 +170,7 @@ void Equilibrium::solve(const LayerState& layer, bool takes_all, const Threads& 
     for (std::size_t i = next++; i < patch_count_; i = next++) {
       Patch& patch = patches_[i];
       patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), takes_all, seed_patch_,
-                         mark);
+                         mark, asked);
     }
   });
   for (std::size_t i = 0; i < patch_count_; ++i) {

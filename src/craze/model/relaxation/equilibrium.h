@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/base/stop_question.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/relaxation/patch_solver.h"
 #include "craze/model/relaxation/tangent_stiffness.h"
@@ -40,10 +41,12 @@ class Equilibrium {
   /// other nodes must be in equilibrium already. Appends to `moved` the nodes whose forces have
   /// changed by more than was allowed (allow_drift). A tolerance below the rounding of the forces
   /// is not reached: the residual is then what rounding leaves. Changes far apart are solved apart,
-  /// in parallel; the result does not depend on threads.
+  /// in parallel; the result does not depend on threads. Where `stop` says so the state is in step
+  /// but not in equilibrium. Ends: a round either halves the largest residual or is one of the few
+  /// that need not.
   void restore(StressField& field, const TriangleMesh& mesh,
                const std::vector<std::int32_t>& changed, const Threads& threads,
-               std::vector<std::int32_t>& moved);
+               std::vector<std::int32_t>& moved, const StopQuestion& stop = {});
 
   /// Gives back what restore() makes anew: the stiffness and the solvers' storage.
   void release_memory();
@@ -65,7 +68,8 @@ class Equilibrium {
   };
 
   void cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds);
-  void solve(const LayerState& layer, bool takes_all, const Threads& threads);
+  void solve(const LayerState& layer, bool takes_all, const Threads& threads,
+             const StopQuestion& stop);
   void apply(StressField& field, const LayerState& layer, const Threads& threads);
   void apply(StressField& field, const LayerState& layer, Patch& patch);
   void review(const LayerState& layer, std::size_t patch);

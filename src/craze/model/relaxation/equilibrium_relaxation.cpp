@@ -39,7 +39,8 @@ void EquilibriumRelaxation::mesh_changed(const TriangleMesh&, const CrackOutcome
 }
 
 void EquilibriumRelaxation::relax(StressField& field, const TriangleMesh& mesh, double load,
-                                  const Threads& threads, std::vector<std::int32_t>& changed) {
+                                  const Threads& threads, const StopQuestion& stop,
+                                  std::vector<std::int32_t>& changed) {
   // Forces are stored at load 1, where nodes fail at failure_force_ / load: as the load grows, what
   // was close enough to equilibrium has to be brought closer.
   if (load >= accurate_up_to_) {
@@ -52,8 +53,11 @@ void EquilibriumRelaxation::relax(StressField& field, const TriangleMesh& mesh, 
   }
   std::sort(seeds_.begin(), seeds_.end());
   seeds_.erase(std::unique(seeds_.begin(), seeds_.end()), seeds_.end());
-  equilibrium_.restore(field, mesh, seeds_, threads, changed);
+  bool stopped = false;
+  const auto ask = [&] { return stopped = stopped || (stop && stop()); };
+  equilibrium_.restore(field, mesh, seeds_, threads, changed, ask);
   seeds_.clear();
+  if (stopped) accurate_up_to_ = 0;  // the next call takes in everything
 }
 
 }  // namespace craze

@@ -15,7 +15,7 @@ class EquilibriumRelaxation : public Relaxation {
 
   void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) override;
   void relax(StressField& field, const TriangleMesh& mesh, double load, const Threads& threads,
-             std::vector<std::int32_t>& changed) override;
+             const StopQuestion& stop, std::vector<std::int32_t>& changed) override;
   double allow_drift(std::int32_t v, double force) override {
     return equilibrium_.allow_drift(v, force);
   }
@@ -23,6 +23,7 @@ class EquilibriumRelaxation : public Relaxation {
   bool at_rest() const override { return true; }
   bool met_tolerance() const override { return equilibrium_.met_tolerance(); }
   double independence_distance() const override { return independence_; }
+  std::int64_t most_cracks_at_once() const override { return 64; }
   double stride() const override { return stride_; }
   std::int64_t element_updates() const override { return equilibrium_.element_updates(); }
 

@@ -1,6 +1,7 @@
 #include "craze/model/relaxation/euler_relaxation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "craze/base/parallel.h"
@@ -50,7 +51,8 @@ constexpr double stiffness_room = 1.05;
 
 EulerRelaxation::EulerRelaxation(const TriangleMesh& mesh, const StressField& field,
                                  const EulerRelaxationOptions& options)
-    : options_(options), blocks_(mesh) {
+    : options_(options), blocks_(mesh), stiffness_(options.accelerated ? 0 : options.adhesion) {
+  assert(options.time_step > 0 && options.adhesion >= 0);
   steps_.update(mesh, field, {});
   stiffness_.update(mesh, field);
 }
@@ -82,22 +84,32 @@ void EulerRelaxation::drifted(std::vector<std::int32_t>& nodes) const {
 }
 
 void EulerRelaxation::run(StressField& field, const TriangleMesh& mesh, std::int64_t steps,
-                          const Threads& threads) {
+                          const Threads& threads, const StopQuestion& stop) {
+  steps_left_ = static_cast<double>(steps) * parts_of_a_step();
+  resume(field, mesh, threads, stop);
+}
+
+void EulerRelaxation::resume(StressField& field, const TriangleMesh& mesh, const Threads& threads,
+                             const StopQuestion& stop) {
   resize(field);
   constexpr double none_left = 1e-6;
-  for (auto remaining = static_cast<double>(steps); remaining > none_left;) {
-    const double taken = next_steps(remaining);
+  // Ends: every pass takes at least one of the steps, or an equal part of all.
+  while (steps_left_ > none_left) {
+    const double taken = next_steps(steps_left_);
     move_nodes(field, schedule_[0].time_step, threads);
-    if (largest_force_ == 0) return;
+    if (largest_force_ == 0) break;
+    if (stop && stop()) return;
     if (schedule_.size() > 1) {
       element_updates_ +=
           ElementBlocks::elements_per_block *
           steps_.take({field, blocks_, held_, options_.adhesion, options_.rest_force}, schedule_,
-                      moves_, moving_, threads);
+                      moves_, moving_, threads, stop);
     }
+    if (stop && stop()) return;  // and nothing has moved
     apply_moves(field, mesh, threads);
-    remaining -= taken;
+    steps_left_ -= taken;
   }
+  steps_left_ = 0;
 }
 
 void EulerRelaxation::resize(const StressField& field) {
@@ -112,9 +124,14 @@ void EulerRelaxation::resize(const StressField& field) {
   block_force_.resize(blocks_.node_blocks());
 }
 
+double EulerRelaxation::parts_of_a_step() const {
+  if (options_.accelerated) return 1;
+  return std::max(1.0, std::ceil(0.5 * options_.time_step * stiffness_.value()));
+}
+
 /// Makes the schedule of the next few steps and returns how many they stand for.
 double EulerRelaxation::next_steps(double remaining) {
-  const double dt = options_.time_step;
+  const double dt = step_size();
   double count = std::min(remaining, most_euler_steps);
   const bool accelerated = options_.accelerated && stiffness_.value() > 0;
   if (accelerated) {
@@ -126,8 +143,9 @@ double EulerRelaxation::next_steps(double remaining) {
     count = parts > 1 ? remaining / parts : remaining;
     if (steps_are_stable()) count = std::ceil(count);
   }
-  if (count == scheduled_steps_) return count;
+  if (count == scheduled_steps_ && dt == scheduled_step_) return count;
   scheduled_steps_ = count;
+  scheduled_step_ = dt;
   if (accelerated) schedule_ = accelerated_steps(count, dt, scheduled_stiffness_);
   if (!accelerated || (steps_are_stable() && count <= static_cast<double>(schedule_.size()) + 1)) {
     schedule_ = euler_steps(std::llround(count), dt);

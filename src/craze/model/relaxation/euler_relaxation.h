@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "craze/base/simd.h"
+#include "craze/base/stop_question.h"
 #include "craze/model/relaxation/active_elements.h"
 #include "craze/model/relaxation/relaxation_schedule.h"
 #include "craze/model/relaxation/relaxation_steps.h"
@@ -23,8 +24,10 @@ struct EulerRelaxationOptions {
 
 /// Moves every node that is not held at once (Jacobi): Δp = Δt F, u += Δp, σ += (∂ε/∂p) Δp, F from
 /// the new σ. It is gradient descent on ½ Σ A |σ|² (+ ½ κ Σ A_n |u|²), so that energy never rises
-/// while Δt is below 2 / (largest eigenvalue of K); accelerated, for any Δt. Blocks of elements
-/// none of whose nodes is moved are skipped.
+/// while Δt is at most 2 / (largest eigenvalue of K + κ M). Where the bound on that eigenvalue does
+/// not say so, each step is taken as the least number of equal ones for which it does: the same
+/// flow over the same time. Accelerated, energy never rises for any Δt. Blocks of elements none of
+/// whose nodes is moved are skipped.
 ///
 /// Of several steps only F is followed from one to the next, in single precision (the moves come
 /// out good to 10⁻⁶). σ and F are then made from the moves in double precision: F is the force of
@@ -39,10 +42,16 @@ class EulerRelaxation {
   void mesh_changed(const TriangleMesh& mesh, const StressField& field,
                     const std::vector<std::int32_t>& faces, const std::vector<std::int32_t>& nodes);
 
-  /// Takes `steps` steps, or goes as far. Forces must be up to date, and are afterwards. The result
-  /// does not depend on `threads`.
-  void run(StressField& field, const TriangleMesh& mesh, std::int64_t steps,
-           const Threads& threads);
+  /// Takes `steps` steps, or goes as far; stops where nothing moves any more, or `stop` says so.
+  /// Forces must be up to date, and are afterwards. The result does not depend on `threads`.
+  void run(StressField& field, const TriangleMesh& mesh, std::int64_t steps, const Threads& threads,
+           const StopQuestion& stop = {});
+  /// Goes on where `stop` ended run(), to the same bytes as without it; nothing to do: returns.
+  void resume(StressField& field, const TriangleMesh& mesh, const Threads& threads,
+              const StopQuestion& stop);
+  bool has_steps_left() const { return steps_left_ > 0; }
+  /// Into how many stable steps one is split; 1 when accelerated.
+  double parts_of_a_step() const;
 
   /// As Relaxation::allow_drift; grants all.
   double allow_drift(std::int32_t v, double force);
@@ -55,6 +64,7 @@ class EulerRelaxation {
   double largest_force() const { return largest_force_; }
 
  private:
+  double step_size() const { return options_.time_step / parts_of_a_step(); }
   void resize(const StressField& field);
   bool steps_are_stable() const { return options_.time_step * scheduled_stiffness_ <= 2; }
   double next_steps(double remaining);
@@ -66,7 +76,7 @@ class EulerRelaxation {
   RelaxationSteps steps_;
   StiffnessBound stiffness_;
   std::vector<RelaxationStep> schedule_;
-  double scheduled_steps_ = 0, scheduled_stiffness_ = 0;
+  double scheduled_steps_ = 0, scheduled_step_ = 0, scheduled_stiffness_ = 0;
 
   ActiveElements active_;
   std::vector<char> held_;                             // #V
@@ -76,6 +86,7 @@ class EulerRelaxation {
   std::vector<double> block_force_;                    // per node block: largest |F|² that moves
   std::vector<double> drift_, allowed_;                // #V
   std::int64_t element_updates_ = 0;
+  double steps_left_ = 0;  // of those asked for, split
   double largest_force_ = 0;
 };
 

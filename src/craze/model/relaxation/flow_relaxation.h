@@ -16,13 +16,16 @@ class FlowRelaxation : public Relaxation {
 
   void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) override;
   void relax(StressField& field, const TriangleMesh& mesh, double load, const Threads& threads,
-             std::vector<std::int32_t>& changed) override;
+             const StopQuestion& stop, std::vector<std::int32_t>& changed) override;
   double allow_drift(std::int32_t v, double force) override { return flow_.allow_drift(v, force); }
   bool at_rest() const override;
   double independence_distance() const override;
+  std::int64_t most_cracks_at_once() const override { return parameters_.cracks_per_step; }
   std::int64_t element_updates() const override { return flow_.element_updates(); }
 
  private:
+  double work(std::int32_t faces) const;
+
   EvolutionParameters parameters_;
   double failure_force_;
   EulerRelaxation flow_;

@@ -3,9 +3,12 @@
 namespace craze {
 
 GrowthLoading::GrowthLoading(const EvolutionParameters& parameters, InitialLoad initial)
-    : parameters_(parameters), initial_(std::move(initial)) {}
+    : parameters_(parameters), initial_(std::move(initial)), rate_(parameters.shrinkage) {
+  if (rate_ == 0) rate_ = initial_.growth_tension;
+}
 
 bool GrowthLoading::grow(StressField& field, const TriangleMesh& mesh) {
+  started_ = true;
   time_ += parameters_.time_step * static_cast<double>(parameters_.relaxation_steps);
   if (!grows()) return false;
   const double c = parameters_.shrinkage;
@@ -16,13 +19,13 @@ bool GrowthLoading::grow(StressField& field, const TriangleMesh& mesh) {
     field.add_stress(mesh, f, growth);
   }
   field.update_forces(mesh);
-  added_tension_ += c;
+  added_tension_ += rate_;
   return true;
 }
 
 bool GrowthLoading::advance(double, bool at_rest) {
   if (grows()) return !reached_max_load();
-  return time_ == 0 || !at_rest;
+  return !started_ || !at_rest;
 }
 
 double GrowthLoading::reported_load() const {
@@ -30,7 +33,7 @@ double GrowthLoading::reported_load() const {
 }
 
 bool GrowthLoading::reached_max_load() const {
-  return parameters_.shrinkage > 0 && reported_load() >= parameters_.max_load;
+  return grows() && reported_load() >= parameters_.max_load;
 }
 
 }  // namespace craze

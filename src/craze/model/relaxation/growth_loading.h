@@ -19,12 +19,14 @@ class GrowthLoading : public Loading {
   bool reached_max_load() const override;
 
  private:
-  bool grows() const { return parameters_.shrinkage > 0 || !initial_.growth.empty(); }
+  bool grows() const { return rate_ > 0; }
 
   EvolutionParameters parameters_;
   InitialLoad initial_;
+  double rate_;  // tension added per step
   double added_tension_ = 0;
   double time_ = 0;
+  bool started_ = false;
 };
 
 }  // namespace craze

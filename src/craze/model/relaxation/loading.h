@@ -42,8 +42,9 @@ class Loading {
 
 /// What a Loading starts from.
 struct InitialLoad {
-  double tension = 0;        ///< area mean of tr σ₀ / 2, force/length
-  std::vector<Sym3> growth;  ///< per input face, added per step; or empty
+  double tension = 0;         ///< area mean of tr σ₀ / 2, force/length
+  std::vector<Sym3> growth;   ///< per input face, added per step; or empty
+  double growth_tension = 0;  ///< area mean of √(½ Σ g²) of growth: of c I in a face's plane, c
 };
 
 /// The loading of running_engine().

@@ -213,13 +213,14 @@ void PatchSolver::clear() {
 void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>& seeds,
                         std::int32_t patch, bool takes_all,
                         const std::vector<std::int32_t>& seed_patch,
-                        std::vector<std::int32_t>& mark) {
+                        std::vector<std::int32_t>& mark, const StopQuestion& stop) {
   // Residuals are counted in tolerances, or in millionths of the largest where that is more: their
   // squares must fit. Solved is what is below half a tolerance, and single precision cannot tell
   // more than this part of the largest.
   constexpr float precision = 1e-10F;
   constexpr double least_scale = 1e-6;
   constexpr std::int64_t most_iterations = 10'000;
+  constexpr std::int64_t between_questions = 8;
   scale_ = layer.tolerance;
   for (const std::int32_t v : seeds) scale_ = std::max(scale_, least_scale * layer.pull(v).norm());
   const double half_tolerance = 0.5 * layer.tolerance / scale_;
@@ -255,6 +256,7 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
   std::copy(z_.begin(), z_.begin() + 2 * active_, p_.begin());
 
   while (most > allowed && iterations_ < most_iterations) {
+    if (stop && iterations_ % between_questions == 0 && stop()) break;
     const float pq =
         multiply(row_begin_.data(), columns_.data(), blocks_.data(), loaded_, p_.data(), q_.data());
     if (!(pq > 0)) break;

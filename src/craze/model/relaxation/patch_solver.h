@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "craze/base/simd.h"
+#include "craze/base/stop_question.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/relaxation/tangent_stiffness.h"
 #include "craze/model/stress_field.h"
@@ -45,10 +46,11 @@ class PatchSolver {
   /// is in one of them: `seed_patch` (#V) says which patch a node is a seed of (−1: none). The
   /// residual of another's seed counts as zero; that of a node that is nobody's is taken up too
   /// where the patch `takes_all`, which patches that overlap must not do again and again. `mark`
-  /// (#V, −1 everywhere, and again at the end) is scratch.
+  /// (#V, −1 everywhere, and again at the end) is scratch. Where `stop` says so the answer is as
+  /// far as it got, which is nearer to the solution than none.
   void solve(const LayerState& layer, const std::vector<std::int32_t>& seeds, std::int32_t patch,
              bool takes_all, const std::vector<std::int32_t>& seed_patch,
-             std::vector<std::int32_t>& mark);
+             std::vector<std::int32_t>& mark, const StopQuestion& stop = {});
 
   /// Nodes read, by rings around the seeds.
   const std::vector<std::int32_t>& nodes() const { return nodes_; }

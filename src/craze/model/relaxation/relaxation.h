@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "craze/base/stop_question.h"
 #include "craze/model/cutting/crack_insertion.h"
 #include "craze/model/stress_field.h"
 #include "craze/parameters.h"
@@ -24,9 +25,11 @@ class Relaxation {
   /// Takes note of a crack; nothing is relaxed yet.
   virtual void mesh_changed(const TriangleMesh& mesh, const CrackOutcome& outcome) = 0;
   /// Brings the field up to the next moment at which cracks are looked for, under the load given.
-  /// Appends the nodes whose separation tensor may have changed, in any order, with repeats.
+  /// Appends the nodes whose separation tensor may have changed, in any order, with repeats. Where
+  /// `stop` says so it leaves off; the next call goes on.
   virtual void relax(StressField& field, const TriangleMesh& mesh, double load,
-                     const Threads& threads, std::vector<std::int32_t>& changed) = 0;
+                     const Threads& threads, const StopQuestion& stop,
+                     std::vector<std::int32_t>& changed) = 0;
   /// Says that the forces on v may change by this much, in sum over its elements, before relax()
   /// has to name it. Returns what will be granted, from now on: 0 where every change is named.
   virtual double allow_drift(std::int32_t v, double force) = 0;
@@ -37,6 +40,8 @@ class Relaxation {
   virtual bool at_rest() const = 0;
   /// Whether relax() always came as near to equilibrium as was asked for.
   virtual bool met_tolerance() const { return true; }
+  /// The most nodes that are cracked in one step.
+  virtual std::int64_t most_cracks_at_once() const = 0;
   /// How far a failing node's crack runs on before relax(), length; 0: to the next node only.
   virtual double stride() const { return 0; }
   /// How far apart two failing nodes must be to be cracked in one step; ∞: one at a time.
@@ -50,7 +55,7 @@ class Relaxation {
 /// steps.
 Engine running_engine(const SimulationParameters& parameters);
 
-/// The relaxation of running_engine().
+/// The relaxation of running_engine(). Throws Error(request) where one relax() would take hours.
 std::unique_ptr<Relaxation> make_relaxation(const TriangleMesh& mesh, const StressField& field,
                                             const SimulationParameters& parameters);
 

@@ -67,10 +67,15 @@ void for_node_blocks(const Threads& threads, std::size_t nodes, const Body& body
 std::int64_t RelaxationSteps::take(const RelaxationState& state,
                                    const std::vector<RelaxationStep>& steps,
                                    std::vector<Vec4d>& moves, std::vector<char>& moving,
-                                   const Threads& threads) {
+                                   const Threads& threads, const StopQuestion& stop) {
   start(state, threads);
   std::int64_t updated = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (stop && stop()) {
+      std::fill(moves.begin(), moves.end(), Vec4d());
+      std::fill(moving.begin(), moving.end(), 0);
+      return updated;
+    }
     if (i > 0) {
       active_.find(state.blocks, moving_);
       if (active_.count() == 0) break;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "craze/base/simd.h"
+#include "craze/base/stop_question.h"
 #include "craze/model/relaxation/active_elements.h"
 #include "craze/model/relaxation/element_packs.h"
 #include "craze/model/relaxation/relaxation_schedule.h"
@@ -33,9 +34,10 @@ class RelaxationSteps {
   }
 
   /// `moves` (#V) becomes Σ weight · Δp of the steps, `moving` (per node block) where it is not 0.
-  /// Returns the number of element blocks updated.
+  /// Returns the number of element blocks updated. Where `stop` says so nothing moves at all.
   std::int64_t take(const RelaxationState& state, const std::vector<RelaxationStep>& steps,
-                    std::vector<Vec4d>& moves, std::vector<char>& moving, const Threads& threads);
+                    std::vector<Vec4d>& moves, std::vector<char>& moving, const Threads& threads,
+                    const StopQuestion& stop);
 
  private:
   void start(const RelaxationState& state, const Threads& threads);

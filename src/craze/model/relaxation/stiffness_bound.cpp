@@ -28,7 +28,7 @@ double corner_bound(const TriangleMesh& mesh, const StressField& field, std::int
 }  // namespace
 
 void StiffnessBound::update(const TriangleMesh& mesh, const StressField& field, std::int32_t v) {
-  double sum = 0;
+  double sum = adhesion_ * field.node_areas()[v];
   mesh.for_each_outgoing(v,
                          [&](std::int32_t h) { sum += corner_bound(mesh, field, h / 3, h % 3); });
   bound_ = std::max(bound_, sum);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "craze/base/parallel.h"
+#include "craze/base/reporting_loop.h"
 
 namespace craze {
 
@@ -27,7 +27,7 @@ std::vector<double> evaluate(std::size_t n, double length, const Random& random,
   constexpr std::size_t grain = 1024;
   std::vector<double> values(n);
   const CorrelatedNoise noise(length > 0 ? length : 1, random);
-  parallel_for(context.threads, n, grain, [&](std::size_t begin, std::size_t end) {
+  reporting_loop(context, "noise", n, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       values[i] =
           length > 0 ? noise.at(position(static_cast<std::int32_t>(i))) : random.normal_at(i);

@@ -28,8 +28,8 @@ class CorrelatedNoise {
   Random random_;
 };
 
-/// #F values at the centroids. length = 0: each triangle's value is drawn by itself, standard
-/// normal, by its index.
+/// #F values at the centroids; throws Cancelled. length = 0: each triangle's value is drawn by
+/// itself, standard normal, by its index.
 std::vector<double> face_noise(const TriangleMesh& mesh, double length, const Random& random,
                                const Context& context);
 /// #V values at the vertices; length = 0: drawn by index.

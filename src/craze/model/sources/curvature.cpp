@@ -1,10 +1,14 @@
 #include "craze/model/sources/curvature.h"
 
-#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
+#include <string>
 
 #include "craze/base/elementary.h"
 #include "craze/base/parallel.h"
+#include "craze/base/reporting_loop.h"
+#include "craze/error.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/sources/normal_cycle.h"
 
@@ -15,9 +19,63 @@ namespace {
 // The weight (1 − ρ²)² has mean ρ² = 1/4 over the disc; a plain disc has 1/2.
 constexpr double support_per_radius = 1.4142135623730951;
 
-// Each chunk owns marks for all faces: few chunks, whatever the number of threads.
-std::size_t chunk_size(std::size_t n) {
-  return std::max<std::size_t>(256, n / 64 + 1);
+constexpr std::size_t grain = 64;
+// Faces that all walks together may meet: about a quarter of an hour on one core.
+constexpr double most_work = 1e10;
+// Walks taken to estimate that, evenly spread.
+constexpr std::size_t probes = 16;
+
+/// The marks of walks, each for one thread at a time: there are as many as threads.
+class ScratchPool {
+ public:
+  template <class Body>
+  void lend(const Body& body) {
+    std::unique_ptr<NormalCycle::Scratch> scratch;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (!free_.empty()) {
+        scratch = std::move(free_.back());
+        free_.pop_back();
+      }
+    }
+    if (!scratch) scratch = std::make_unique<NormalCycle::Scratch>();
+    body(*scratch);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    free_.push_back(std::move(scratch));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<NormalCycle::Scratch>> free_;
+};
+
+/// measure(i, scratch) for all i < n, on several threads. Throws Error(request) where a few of them
+/// say that all would take too long.
+template <class Measure>
+void measure_all(std::size_t n, const Context& context, const Measure& measure) {
+  ScratchPool pool;
+  const std::size_t stride = n / probes + 1;
+  double met = 0, taken = 0;
+  pool.lend([&](NormalCycle::Scratch& scratch) {
+    for (std::size_t i = 0; i < n; i += stride) {
+      measure(i, scratch);
+      met += static_cast<double>(scratch.queue.size());
+      ++taken;
+      context.check();
+    }
+  });
+  if (n > 0 && met / taken * static_cast<double>(n) > most_work) {
+    throw Error(ErrorKind::request, "cannot measure the curvature", "stress.curvature_radius",
+                "each of " + std::to_string(n) + " places would look at about " +
+                    std::to_string(std::llround(met / taken)) +
+                    " triangles around it, which takes hours; give a smaller radius, or a longer "
+                    "mesh.edge");
+  }
+  reporting_loop(context, "curvature", n, grain, [&](std::size_t begin, std::size_t end) {
+    pool.lend([&](NormalCycle::Scratch& scratch) {
+      for (std::size_t i = begin; i < end; ++i) measure(i, scratch);
+    });
+  });
 }
 
 // The frame carried from the plane of its own normal n to the plane of the unit normal m by the
@@ -67,17 +125,14 @@ std::vector<Sym2> face_curvature(const TriangleMesh& mesh, double radius, const 
   const NormalCycle cycle(mesh);
   const auto n = static_cast<std::size_t>(mesh.face_count());
   std::vector<Sym2> tensors(n);
-  parallel_for(context.threads, n, chunk_size(n), [&](std::size_t begin, std::size_t end) {
-    NormalCycle::Scratch scratch;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto f = static_cast<std::int32_t>(i);
-      if (cycle.face_normal(f).isZero()) continue;
-      const Triangle& t = mesh.triangle(f);
-      const Vec3 centroid = (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
-      const auto measure = cycle.measure(centroid, support, {&f, 1}, scratch);
-      const Vec3 normal = measure.normal.stableNormalized();
-      tensors[i] = curvature_tensor(measure, carried_frame(tangent_frame(mesh, f), normal));
-    }
+  measure_all(n, context, [&](std::size_t i, NormalCycle::Scratch& scratch) {
+    const auto f = static_cast<std::int32_t>(i);
+    if (cycle.face_normal(f).isZero()) return;
+    const Triangle& t = mesh.triangle(f);
+    const Vec3 centroid = (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
+    const auto measure = cycle.measure(centroid, support, {&f, 1}, scratch);
+    const Vec3 normal = measure.normal.stableNormalized();
+    tensors[i] = curvature_tensor(measure, carried_frame(tangent_frame(mesh, f), normal));
   });
   return tensors;
 }
@@ -89,18 +144,14 @@ std::vector<PrincipalCurvature> vertex_curvature(const TriangleMesh& mesh, doubl
   const NormalCycle cycle(mesh);
   const auto n = static_cast<std::size_t>(mesh.vertex_count());
   std::vector<PrincipalCurvature> curvature(n);
-  parallel_for(context.threads, n, chunk_size(n), [&](std::size_t begin, std::size_t end) {
-    NormalCycle::Scratch scratch;
+  measure_all(n, context, [&](std::size_t i, NormalCycle::Scratch& scratch) {
+    const auto v = static_cast<std::int32_t>(i);
     std::vector<std::int32_t> star;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto v = static_cast<std::int32_t>(i);
-      star.clear();
-      mesh.for_each_outgoing(v, [&](std::int32_t h) { star.push_back(TriangleMesh::face_of(h)); });
-      const auto measure = cycle.measure(mesh.position(v), support, star, scratch);
-      if (measure.normal.isZero()) continue;
-      const Mat32 frame = any_frame(measure.normal.normalized());
-      curvature[i] = principal_curvature(curvature_tensor(measure, frame), frame);
-    }
+    mesh.for_each_outgoing(v, [&](std::int32_t h) { star.push_back(TriangleMesh::face_of(h)); });
+    const auto measure = cycle.measure(mesh.position(v), support, star, scratch);
+    if (measure.normal.isZero()) return;
+    const Mat32 frame = any_frame(measure.normal.normalized());
+    curvature[i] = principal_curvature(curvature_tensor(measure, frame), frame);
   });
   return curvature;
 }

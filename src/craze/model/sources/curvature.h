@@ -32,7 +32,8 @@ double default_curvature_radius(const TriangleMesh& mesh);
 /// #F curvature tensors, 1/length, in each face's tangent_frame. Averages over the surface within
 /// about `radius` of the face's centroid (a disc of that radius has the same second moment as the
 /// smooth weight used); 0: default_curvature_radius. Detail smaller than the radius is smoothed
-/// away, noise of single vertices with it. Cost: #F times the faces in a neighbourhood.
+/// away, noise of single vertices with it. Cost: #F times the faces in a neighbourhood; throws
+/// Error(request) before it starts where that is more than 10¹⁰, and Cancelled.
 std::vector<Sym2> face_curvature(const TriangleMesh& mesh, double radius, const Context& context);
 
 /// #V, the same around each vertex. A vertex without faces gets zeros.

@@ -6,6 +6,7 @@
 
 #include "craze/base/elementary.h"
 #include "craze/base/random.h"
+#include "craze/error.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/sources/correlated_noise.h"
 #include "craze/model/sources/curvature.h"
@@ -17,6 +18,19 @@ namespace {
 
 constexpr std::uint64_t stress_noise_stream = 1;
 
+// Triangles times impacts: each impact's distances are measured over the whole surface, a million
+// triangles in about a second.
+constexpr double most_work = 1e9;
+
+void check_work(std::size_t impacts, std::int32_t faces) {
+  if (static_cast<double>(impacts) * faces <= most_work) return;
+  const auto most = static_cast<std::int64_t>(most_work / faces);
+  throw Error(ErrorKind::request, "too many impacts", "impact",
+              std::to_string(impacts) + " of them on " + std::to_string(faces) +
+                  " triangles take hours; give at most " + std::to_string(most) +
+                  ", or a longer mesh.edge");
+}
+
 double decay(double r, double radius, double falloff) {
   return r <= radius ? 1 : elementary::pow(radius / r, falloff);
 }
@@ -26,7 +40,7 @@ double decay(double r, double radius, double falloff) {
 void add_impact(std::vector<Sym2>& sigma, const TriangleMesh& mesh, const Impact& impact,
                 const char* where, const Context& context) {
   const SurfacePoint hit = require_surface_point(mesh, impact.point, where, context);
-  const SurfaceDistance distance = surface_distance(mesh, hit);
+  const SurfaceDistance distance = surface_distance(mesh, hit, context);
   const double radial_falloff = impact.radial_falloff > 0 ? impact.radial_falloff : impact.falloff;
   const double hoop_falloff = impact.hoop_falloff > 0 ? impact.hoop_falloff : impact.falloff;
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
@@ -63,7 +77,10 @@ std::vector<Sym2> initial_stress(const TriangleMesh& mesh, const StressParameter
     const auto painted = tensor_per_face(mesh, fields, stress.attribute, "stress.attribute");
     for (std::int32_t f = 0; f < n; ++f) sigma[f] += to_frame(painted[f], tangent_frame(mesh, f));
   }
+  check_work(impacts.size(), n);
   for (std::size_t i = 0; i < impacts.size(); ++i) {
+    context.check();
+    context.report({"impacts", static_cast<double>(i) / static_cast<double>(impacts.size())});
     const std::string where = "impact " + std::to_string(i + 1);
     add_impact(sigma, mesh, impacts[i], where.c_str(), context);
   }

@@ -19,7 +19,8 @@ namespace craze {
 /// #F, in each face's tangent_frame, tension positive:
 ///   σ₀ = texture · max(0, 1 + noise ξ) · (uniform I + Eᵀ T E + curvature κ + attribute + impacts),
 /// ξ a random field of mean 0 and standard deviation 1. A face without area gets zero. Throws
-/// Error(request) for an impact far from the surface, an unknown attribute, a texture without UVs.
+/// Error(request) for an impact far from the surface, an unknown attribute, a texture without UVs,
+/// or more than 10⁹ triangles times impacts; and Cancelled.
 std::vector<Sym2> initial_stress(const TriangleMesh& mesh, const StressParameters& stress,
                                  std::span<const Impact> impacts, std::uint64_t seed,
                                  const InputFields& fields, const Context& context);

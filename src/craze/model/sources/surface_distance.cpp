@@ -17,6 +17,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // grows, from feeding each other for ever.
 constexpr double least_gain = 1e-5;
 
+// Vertices taken from the front between two looks at whether to go on.
+constexpr std::size_t between_looks = 100'000;
+
 // Where the source lies in the plane of a triangle j, k, i, seen from edge j → k: j at the origin,
 // k on the positive first axis, i above it and the source below.
 struct Unfolded {
@@ -56,7 +59,7 @@ double update(const Vec3& j, const Vec3& k, const Vec3& i, double dj, double dk)
 }  // namespace
 
 SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfacePoint& source,
-                                 double reach) {
+                                 const Context& context, double reach) {
   SurfaceDistance result;
   result.vertex.assign(mesh.vertex_count(), infinite);
   result.face.assign(mesh.face_count(), infinite);
@@ -75,7 +78,9 @@ SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfacePoint& s
   for (const std::int32_t v : mesh.triangle(source.face)) {
     lower(v, (mesh.position(v) - source.position).norm());
   }
-  while (!front.empty()) {
+  // Ends: a distance only falls, by a part of itself each time, and not below the straight one.
+  for (std::size_t taken = 1; !front.empty(); ++taken) {
+    if (taken % between_looks == 0) context.check();
     const double d = front.top().first;
     const std::int32_t v = front.top().second;
     front.pop();

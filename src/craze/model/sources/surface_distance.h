@@ -43,8 +43,8 @@ struct SurfaceDistance {
 /// Distances from `source` up to `reach`. Within 10⁻³ on flat and developable surfaces, elsewhere
 /// about 1 % at 8,000 triangles, half of that at four times as many. Fronts spread from vertex to
 /// vertex, each triangle unfolding the source behind it as a point [MR12], so long thin triangles
-/// do no harm. Cost: O(#V log #V).
+/// do no harm. Cost: O(#V log #V). Throws Cancelled.
 SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfacePoint& source,
-                                 double reach = 1e300);
+                                 const Context& context, double reach = 1e300);
 
 }  // namespace craze

@@ -110,7 +110,9 @@ std::optional<Window> find_window(const CrackGraphInput& input) {
     thickness = std::max(thickness, std::abs(normal.dot(input.points[i] - input.points[0])));
   }
   const double extent = (window.high - window.low).norm();
-  if (window.area() <= 0 || thickness > 2e-3 * extent) return std::nullopt;
+  // As thin as rounding: the points lie on a line, which has no inside.
+  const Vec2 sides = window.high - window.low;
+  if (!(sides.minCoeff() > 1e-9 * extent) || thickness > 2e-3 * extent) return std::nullopt;
   // A drawn border must run along the sides of the box, all of them.
   double drawn = 0;
   for (const GraphInputEdge& e : input.edges) {

@@ -31,7 +31,16 @@ std::vector<char> near_border(const std::vector<Vec3>& points,
   std::map<Cube, std::vector<std::size_t>> cubes;
   for (std::size_t i = 0; i < points.size(); ++i) cubes[cube_of(points[i])].push_back(i);
   for (const BorderSegment& whole : border) {
-    const auto pieces = static_cast<std::size_t>(std::ceil((whole.b - whole.a).norm() / limit)) + 1;
+    const double length = (whole.b - whole.a).norm() / limit;
+    // Where the way crosses more cubes than there are points, each point is asked instead: the cost
+    // is bounded whatever the limit.
+    if (!(length < static_cast<double>(points.size()))) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!near[i] && distance(points[i], whole) <= limit) near[i] = 1;
+      }
+      continue;
+    }
+    const auto pieces = static_cast<std::size_t>(std::ceil(length)) + 1;
     for (std::size_t k = 0; k < pieces; ++k) {
       const Vec3 step = (whole.b - whole.a) / static_cast<double>(pieces);
       const BorderSegment s{whole.a + static_cast<double>(k) * step,

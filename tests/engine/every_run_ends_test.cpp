@@ -1,0 +1,143 @@
+// Every parameter at the edges of its range, alone and in pairs: a run ends, with numbers that are
+// finite and a valid mesh, or is refused in one line.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ctime>
+#include <string>
+
+#include "craze/base/random.h"
+#include "craze/engine/spacing_rounds.h"
+#include "craze/error.h"
+#include "craze/mesh/validate.h"
+#include "craze/recipe/parameter_table.h"
+#include "craze/shapes.h"
+
+namespace craze {
+namespace {
+
+/// Cracks a small mesh in some milliseconds.
+Recipe small(Engine engine) {
+  Recipe recipe;
+  recipe.simulation.engine = engine;
+  recipe.simulation.material.toughness = 0.05;
+  recipe.simulation.layer.screening_length = 0.3;
+  recipe.simulation.evolution.relaxation_steps = 5;
+  recipe.simulation.impacts.emplace_back();
+  recipe.mesh.edge.kind = EdgeLength::Kind::keep;
+  return recipe;
+}
+
+double clamped(const ParameterRange& range, double x) {
+  constexpr double greatest = 1e300, least = 1e-300;
+  const double low = range.low_open ? range.low + least : range.low;
+  return std::min(std::max(x, std::max(low, -greatest)), std::min(range.high, greatest));
+}
+
+/// The ends of its range, zero and one, as far as they are in it.
+std::vector<ParameterValue> edges_of(const Parameter& p) {
+  std::vector<ParameterValue> values;
+  for (const double x : {-1e300, 0.0, 1.0, 1e300}) {
+    const double inside = clamped(p.range, x);
+    switch (p.type) {
+      case ParameterType::real:
+      case ParameterType::edge:
+        values.emplace_back(inside);
+        break;
+      case ParameterType::integer:
+        values.emplace_back(static_cast<std::int64_t>(inside));
+        break;
+      case ParameterType::vec3:
+        values.emplace_back(std::vector<double>(3, inside));
+        break;
+      case ParameterType::tensor6:
+        values.emplace_back(std::vector<double>(6, inside));
+        break;
+      default:
+        break;
+    }
+  }
+  for (const std::string& word : p.choices) values.emplace_back(word);
+  if (p.type == ParameterType::boolean) values = {true, false};
+  return values;
+}
+
+/// Those that decide how a run goes, not how it is shown.
+bool decides(const Parameter& p) {
+  return p.type != ParameterType::string && p.section() != "post" && p.section() != "picture";
+}
+
+bool is_finite(const Simulation& s) {
+  for (std::int32_t v = 0; v < s.mesh().vertex_count(); ++v) {
+    if (!s.displacement(v).allFinite() || !s.field().force(v).allFinite()) return false;
+  }
+  return true;
+}
+
+/// Runs, and expects an end within `seconds`, far above what a run of this size needs.
+void expect_end(const Recipe& recipe, const std::string& what, double seconds = 60) {
+  for (const std::string shape : {"plate?n=3&jitter=0.3", "sphere?n=2"}) {
+    const std::clock_t start = std::clock();  // of this process, however busy the machine is
+    Context context;
+    context.threads = 1;
+    context.cancelled = [&] {
+      return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC > seconds;
+    };
+    try {
+      const SpacedRun run = run_to_spacing(make_shape(shape), recipe, context);
+      EXPECT_NE(run.last.reason, StopReason::cancelled) << what << " on " << shape;
+      EXPECT_TRUE(is_finite(*run.last.simulation)) << what << " on " << shape;
+      EXPECT_TRUE(validate(run.last.simulation->mesh()).empty()) << what << " on " << shape;
+    } catch (const Error& e) {
+      EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << what;
+    } catch (const Cancelled&) {
+      ADD_FAILURE() << what << " on " << shape << " takes for ever to start";
+    }
+  }
+}
+
+std::string set_edge(Recipe& recipe, const Parameter& p, const ParameterValue& value) {
+  p.set(recipe, 0, value);
+  return p.key + " = " + format_value(value) + " ";
+}
+
+TEST(EveryRun, EndsWithEachParameterAtTheEdgesOfItsRange) {
+  for (const Engine engine : {Engine::euler, Engine::quasistatic}) {
+    for (const Parameter& p : parameter_table()) {
+      if (!decides(p)) continue;
+      for (const ParameterValue& value : edges_of(p)) {
+        Recipe recipe = small(engine);
+        const std::string what = set_edge(recipe, p, value);
+        expect_end(recipe, what + (engine == Engine::euler ? "(euler)" : "(quasistatic)"));
+      }
+    }
+  }
+}
+
+TEST(EveryRun, EndsWithPairsOfParametersAtTheEdgesOfTheirRanges) {
+  std::vector<const Parameter*> keys;
+  for (const Parameter& p : parameter_table()) {
+    if (decides(p)) keys.push_back(&p);
+  }
+  Random random(7);
+  const auto pick = [&](const Parameter& p) {
+    const std::vector<ParameterValue> values = edges_of(p);
+    return values[random.below(values.size())];
+  };
+  for (std::size_t a = 0; a < keys.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      Recipe recipe = small(random.below(2) == 0 ? Engine::euler : Engine::quasistatic);
+      // Each of many rounds and cycles is a run that has been tried by itself.
+      recipe.simulation.evolution.max_cracks = 40;
+      const std::string first = set_edge(recipe, *keys[a], pick(*keys[a]));
+      const std::string second = set_edge(recipe, *keys[b], pick(*keys[b]));
+      recipe.simulation.evolution.cycles =
+          std::min<std::int64_t>(recipe.simulation.evolution.cycles, 2);
+      recipe.simulation.layer.rounds = std::min<std::int64_t>(recipe.simulation.layer.rounds, 2);
+      expect_end(recipe, first + second);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace craze

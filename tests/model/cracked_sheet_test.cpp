@@ -1,0 +1,76 @@
+#include "craze/model/cracked_sheet.h"
+
+#include <gtest/gtest.h>
+
+#include "craze/error.h"
+#include "craze/mesh/validate.h"
+#include "model/states.h"
+
+namespace craze {
+namespace {
+
+CrackedSheet plate() {
+  const TriangleMesh mesh = test::mesh_of("plate?n=6&jitter=0.3");
+  return test::sheet_of(mesh, test::random_stress(mesh, 2));
+}
+
+void expect_in_step(const CrackedSheet& sheet) {
+  EXPECT_TRUE(validate(sheet.mesh()).empty());
+  ASSERT_EQ(sheet.field().elements().size(), static_cast<std::size_t>(sheet.mesh().face_count()));
+  ASSERT_EQ(sheet.field().forces().size(), static_cast<std::size_t>(sheet.mesh().vertex_count()));
+  StressField fresh = sheet.field();
+  fresh.update_forces(sheet.mesh());
+  for (std::int32_t v = 0; v < sheet.mesh().vertex_count(); ++v) {
+    EXPECT_LT((sheet.field().force(v) - fresh.force(v)).norm(), 1e-12);
+  }
+}
+
+TEST(CrackedSheet, KeepsMeshAndFieldInStepThroughEveryEdit) {
+  CrackedSheet sheet = plate();
+  for (std::int32_t h = 0, edits = 0; edits < 60; h = (h + 7) % (3 * sheet.mesh().face_count())) {
+    const bool open = sheet.mesh().is_open(h) || sheet.mesh().is_open_vertex(sheet.mesh().from(h));
+    if (edits % 3 == 0) {
+      sheet.split(h, 0.4);
+    } else if (edits % 3 == 1) {
+      if (sheet.mesh().is_open(h)) continue;
+      sheet.cut(h, edits);
+    } else {
+      if (open) continue;
+      sheet.slide(h, 0.05);
+    }
+    ++edits;
+    expect_in_step(sheet);
+  }
+}
+
+TEST(CrackedSheet, HoldsCopiesAndNewNodesOfAHeldBorderAndNoOthers) {
+  CrackedSheet sheet = plate();
+  for (std::int32_t v = 0; v < sheet.mesh().vertex_count(); ++v) {
+    if (sheet.mesh().is_open_vertex(v)) sheet.field().hold(v);
+  }
+  std::int32_t inside = -1, border = -1, spoke = -1;
+  for (std::int32_t h = 0; h < 3 * sheet.mesh().face_count(); ++h) {
+    const bool from = sheet.mesh().is_open_vertex(sheet.mesh().from(h));
+    const bool to = sheet.mesh().is_open_vertex(sheet.mesh().to(h));
+    if (sheet.mesh().is_open(h)) {
+      border = h;
+    } else if (from && !to) {
+      spoke = h;
+    } else if (!from && !to) {
+      inside = h;
+    }
+  }
+  const TriangleMesh::Cut cut = sheet.cut(spoke, 0);
+  ASSERT_GE(cut.copy_of_from, 0);
+  EXPECT_TRUE(sheet.field().is_held(cut.copy_of_from));
+  EXPECT_TRUE(sheet.field().is_held(sheet.split(border, 0.5).vertex));
+  EXPECT_FALSE(sheet.field().is_held(sheet.split(inside, 0.5).vertex));
+}
+
+TEST(CrackedSheet, RefusesAFieldOfAnotherMesh) {
+  const TriangleMesh small = test::mesh_of("plate?n=2"), large = test::mesh_of("plate?n=3");
+  EXPECT_THROW(CrackedSheet(small, StressField(large, test::no_cap)), Error);
+}
+
+}  // namespace
+}  // namespace craze
