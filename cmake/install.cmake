@@ -4,7 +4,6 @@
 #   devel    libcraze-dev    headers, libcraze.a (C++), libcraze.so (C), find_package(craze)
 #   python   python3-craze   the Python package, with its own copy of the library
 include(CMakePackageConfigHelpers)
-set(doc ${CMAKE_INSTALL_DATADIR}/doc)
 
 if(CRAZE_APP)
   install(TARGETS craze_app RUNTIME COMPONENT command)
@@ -37,3 +36,8 @@ write_basic_package_version_file(craze-config-version.cmake COMPATIBILITY SameMi
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/craze-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/craze-config-version.cmake
   DESTINATION ${config} COMPONENT devel)
+
+if(CRAZE_BINDINGS)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/python/craze DESTINATION lib/python3/dist-packages
+    COMPONENT python PATTERN __pycache__ EXCLUDE)
+endif()

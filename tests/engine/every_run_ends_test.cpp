@@ -10,11 +10,13 @@
 #include "craze/engine/spacing_rounds.h"
 #include "craze/error.h"
 #include "craze/mesh/validate.h"
-#include "craze/recipe/parameter_table.h"
 #include "craze/shapes.h"
+#include "engine/edge_values.h"
 
 namespace craze {
 namespace {
+
+using test::edges_of;
 
 /// Cracks a small mesh in some milliseconds.
 Recipe small(Engine engine) {
@@ -26,40 +28,6 @@ Recipe small(Engine engine) {
   recipe.simulation.impacts.emplace_back();
   recipe.mesh.edge.kind = EdgeLength::Kind::keep;
   return recipe;
-}
-
-double clamped(const ParameterRange& range, double x) {
-  constexpr double greatest = 1e300, least = 1e-300;
-  const double low = range.low_open ? range.low + least : range.low;
-  return std::min(std::max(x, std::max(low, -greatest)), std::min(range.high, greatest));
-}
-
-/// The ends of its range, zero and one, as far as they are in it.
-std::vector<ParameterValue> edges_of(const Parameter& p) {
-  std::vector<ParameterValue> values;
-  for (const double x : {-1e300, 0.0, 1.0, 1e300}) {
-    const double inside = clamped(p.range, x);
-    switch (p.type) {
-      case ParameterType::real:
-      case ParameterType::edge:
-        values.emplace_back(inside);
-        break;
-      case ParameterType::integer:
-        values.emplace_back(static_cast<std::int64_t>(inside));
-        break;
-      case ParameterType::vec3:
-        values.emplace_back(std::vector<double>(3, inside));
-        break;
-      case ParameterType::tensor6:
-        values.emplace_back(std::vector<double>(6, inside));
-        break;
-      default:
-        break;
-    }
-  }
-  for (const std::string& word : p.choices) values.emplace_back(word);
-  if (p.type == ParameterType::boolean) values = {true, false};
-  return values;
 }
 
 /// Those that decide how a run goes, not how it is shown.
