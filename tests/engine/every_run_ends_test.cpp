@@ -52,7 +52,7 @@ void expect_end(const Recipe& recipe, const std::string& what, double seconds = 
       return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC > seconds;
     };
     try {
-      const SpacedRun run = run_to_spacing(make_shape(shape), recipe, context);
+      const SpacedRun run = run_to_spacing(make_shape(shape), recipe, {}, context);
       EXPECT_NE(run.last.reason, StopReason::cancelled) << what << " on " << shape;
       EXPECT_TRUE(is_finite(*run.last.simulation)) << what << " on " << shape;
       EXPECT_TRUE(validate(run.last.simulation->mesh()).empty()) << what << " on " << shape;
