@@ -9,6 +9,7 @@
 
 #include "craze/error.h"
 #include "craze/recipe/parameter_table.h"
+#include "craze/recipe/recipe_json.h"
 
 namespace craze {
 namespace {
