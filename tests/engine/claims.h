@@ -29,12 +29,13 @@ struct Cracked {
 };
 
 /// Cracks a sound mesh by a recipe as run() does.
-inline Cracked crack(SurfaceMesh input, Recipe recipe, std::uint64_t seed) {
+inline Cracked crack(SurfaceMesh input, Recipe recipe, std::uint64_t seed,
+                     const Textures& textures = {}) {
   recipe.simulation.seed = seed;
   recipe.simulation = resolve_lengths(recipe.simulation, bounding_diagonal(input.positions));
   const SimulationSurface surface = simulation_surface(std::move(input), recipe, {});
   TriangleMesh mesh(surface.mesh.positions, surface.mesh.triangles);
-  SimulationFields fields = initial_fields(surface, mesh, recipe.simulation, {}, {});
+  SimulationFields fields = initial_fields(surface, mesh, recipe.simulation, textures, {});
   Cracked cracked{mesh, {mesh, std::move(fields), recipe.simulation, {}}};
   cracked.simulation.run({});
   return cracked;

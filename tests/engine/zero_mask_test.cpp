@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "craze/model/crack_network.h"
-#include "craze/render/png.h"
 #include "engine/claims.h"
-#include "temporary_folder.h"
 
 namespace craze {
 namespace {
@@ -21,21 +19,14 @@ SurfaceMesh painted_plate() {
   return plate;
 }
 
-/// A picture that is black on the left and grey elsewhere.
-class MaskFile {
- public:
-  MaskFile() {
-    render::Image image{10, 1, {}};
-    for (int x = 0; x < image.width; ++x) {
-      image.rgb.insert(image.rgb.end(), 3, (x + 0.5) / image.width - 0.5 < zero_left_of ? 0 : 200);
-    }
-    render::write_png(path(), image);
+/// A picture, "mask", that is black on the left and grey elsewhere.
+Textures mask() {
+  GreyImage image{10, 1, {}};
+  for (int x = 0; x < image.width; ++x) {
+    image.pixels.push_back((x + 0.5F) / 10 - 0.5F < zero_left_of ? 0 : 0.8F);
   }
-  std::string path() const { return (folder_ / "mask.png").string(); }
-
- private:
-  TemporaryFolder folder_;
-};
+  return {{"mask", image}};
+}
 
 Recipe recipe_of(Engine engine, Criterion criterion) {
   Recipe recipe = read_preset("mud");
@@ -71,14 +62,13 @@ TEST(AZeroMask, OfAnAttributeKeepsCracksOffTheWholeTrianglesItTouches) {
 }
 
 TEST(AZeroMask, OfAPictureKeepsCracksOffEveryTriangleThatSeesBlack) {
-  const MaskFile mask;
   for (const Engine engine : {Engine::quasistatic, Engine::euler}) {
     Recipe stress = recipe_of(engine, Criterion::strength), material = stress, layer = stress;
-    stress.simulation.stress.texture = mask.path();
-    material.simulation.material.texture = mask.path();
-    layer.simulation.layer.texture = mask.path();
+    stress.simulation.stress.texture = "mask";
+    material.simulation.material.texture = "mask";
+    layer.simulation.layer.texture = "mask";
     for (const Recipe& recipe : {stress, material, layer}) {
-      expect_cracks_only_right_of(test::crack(painted_plate(), recipe, 3), zero_left_of);
+      expect_cracks_only_right_of(test::crack(painted_plate(), recipe, 3, mask()), zero_left_of);
     }
   }
 }

@@ -56,7 +56,7 @@ TEST(AcceleratedRelaxation, TakesFarFewerUpdates) {
   EXPECT_GT(updates(false) / updates(true), 15);
 }
 
-TEST(AcceleratedRelaxation, AtAnyTimeStepEnergyNeverRisesWhereEulerStepsBlowUp) {
+TEST(AcceleratedRelaxation, AtAnyTimeStepEnergyNeverRises) {
   const TriangleMesh mesh = mesh_of("sphere?n=6");
   for (const double time_step : {0.5, 1.0, 30.0, 1e3}) {
     StressField fast = field_of(mesh, random_stress(mesh, 3)), euler = fast;
@@ -69,8 +69,9 @@ TEST(AcceleratedRelaxation, AtAnyTimeStepEnergyNeverRisesWhereEulerStepsBlowUp) 
       last = now;
     }
     EXPECT_LT(last, 0.9 * start);
+    // Euler steps too long to be stable are split, so they come to rest too.
     test::relax(mesh, euler, {time_step, 0, 0}, 60);
-    EXPECT_FALSE(energy(mesh, euler, 0) < 1e6 * start) << time_step;
+    EXPECT_LE(energy(mesh, euler, 0), 1.01 * last) << time_step;
   }
 }
 

@@ -54,8 +54,9 @@ ParameterValue arbitrary_value(const Parameter& p) {
     case ParameterType::real:
       return *real_in(p.range);
     case ParameterType::integer:
-      return *rc::gen::inRange<std::int64_t>(static_cast<std::int64_t>(p.range.low),
-                                             std::int64_t{1} << 53);
+      return *rc::gen::inRange<std::int64_t>(
+          static_cast<std::int64_t>(p.range.low),
+          static_cast<std::int64_t>(std::min(p.range.high, 0x1p53)));
     case ParameterType::boolean:
       return *rc::gen::arbitrary<bool>();
     case ParameterType::choice:

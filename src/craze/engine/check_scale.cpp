@@ -44,6 +44,12 @@ void check_scale(const SurfaceMesh& surface, const Recipe& recipe, double target
                             spacing, diagonal));
   }
   if (target_edge <= 0) return;
+  if (target_edge > diagonal) {
+    throw Error(ErrorKind::request, "edge longer than the object", "mesh.edge",
+                fmt::format("{:.4g} long, but the object is {:.4g} from end to end; give a part of "
+                            "that",
+                            target_edge, diagonal));
+  }
   // Equilateral triangles of that edge.
   const double triangles = total_area(surface) / (std::sqrt(3.0) / 4 * target_edge * target_edge);
   const double needed = triangles * bytes_per_triangle;

@@ -40,7 +40,6 @@ void start(LastCycle& last, const SimulationSurface& surface,
            const SimulationParameters& parameters, const Textures& textures, HealedCracks healed,
            const Context& context) {
   const auto begin = std::chrono::steady_clock::now();
-  last.simulation.reset();
   TriangleMesh mesh(surface.mesh.positions, surface.mesh.triangles);
   SimulationFields fields = initial_fields(surface, mesh, parameters, textures, context);
   last.unstressed = has_no_stress(fields, parameters);
@@ -72,7 +71,13 @@ LastCycle run_cycles(const SimulationSurface& surface, const SimulationParameter
   HealedCracks healed;
   for (std::int64_t cycle = 0; cycle < evolution.cycles; ++cycle) {
     const Context inner = in_cycle(context, cycle, evolution.cycles);
-    start(last, surface, of_cycle(parameters, cycle), textures, std::move(healed), inner);
+    try {
+      start(last, surface, of_cycle(parameters, cycle), textures, std::move(healed), inner);
+    } catch (const Cancelled&) {
+      if (cycle == 0) throw;
+      last.reason = StopReason::cancelled;  // the cracks of the cycle before stand
+      break;
+    }
     last.reason = last.simulation->run(inner);
     const PhaseTimes& times = last.simulation->times();
     last.times.relax += times.relax;

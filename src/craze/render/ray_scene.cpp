@@ -47,9 +47,9 @@ void load(const RayScene::Rays& rays, Packet& packet, Mask& valid) {
 
 RayScene::RayScene(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles)
     : handles_(std::make_unique<Handles>()) {
-  // One instruction set, which every machine has: with another, rays along an edge meet another
-  // face.
-  handles_->device = rtcNewDevice("isa=sse2");
+  // By the widest instruction set there is: Debian's Embree stops at an assertion of its own where a
+  // narrower one is asked for. So rays along an edge may meet another face on another machine.
+  handles_->device = rtcNewDevice(nullptr);
   if (!handles_->device) throw std::bad_alloc();
   handles_->scene = rtcNewScene(handles_->device);
   rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
