@@ -60,7 +60,7 @@ std::vector<SurfaceMesh> small_meshes() {
   for (const char* shape :
        {"plate?n=1", "plate?n=8", "plate?n=9&jitter=0.4", "strip?n=6", "disc?n=8", "cube?n=1",
         "cube?n=4", "sphere?n=2", "sphere?n=8", "cylinder?n=8", "torus?n=8", "bowl?n=8", "cup?n=24",
-        "bumps?n=12", "drape?n=12"}) {
+        "bumps?n=24", "drape?n=24"}) {
     meshes.push_back(make_shape(shape));
   }
   meshes.push_back(one_triangle());
