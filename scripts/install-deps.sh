@@ -8,12 +8,14 @@ packages=(
   libeigen3-dev libtbb-dev libfmt-dev                # linear algebra, threads, text
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev # command line, recipes, reports
   libembree-dev libpng-dev libjpeg-dev               # pictures
+  python3-numpy                                      # the Python package
   libgtest-dev librapidcheck-dev libassimp-dev       # tests; assimp reads back what craze writes
 )
 development=(
   git ccache
   clang libclang-rt-14-dev libc++-14-dev libc++abi-14-dev  # sanitizers, fuzzing, the core on libc++
   clang-tidy clang-format
+  mypy valgrind                                      # types of the Python package, memory of the C interface
   libbenchmark-dev
 )
 

@@ -6,7 +6,9 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "craze/craze.h"
 #include "craze/error.h"
@@ -16,7 +18,11 @@ namespace craze::c {
 inline craze_status report(craze_error* error, craze_status status, std::string_view message) {
   if (!error) return status;
   error->status = status;
-  const std::size_t length = std::min(message.size(), sizeof error->message - 1);
+  std::size_t length = std::min(message.size(), sizeof error->message - 1);
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  if (length < message.size()) {
+    while (length > 0 && continues(message[length])) --length;  // no half character of UTF-8
+  }
   std::memcpy(error->message, message.data(), length);
   error->message[length] = '\0';
   return status;
@@ -72,6 +78,12 @@ auto guarded(craze_error* error, Body&& body) noexcept -> decltype(body()) {
 /// Refuses a null handle or pointer.
 inline void require(const void* pointer, const char* name) {
   if (!pointer) wrong_argument("wrong argument", name, "it is NULL");
+}
+
+/// The i-th of them, null beyond the last.
+inline const char* text_at(const std::vector<std::string>& texts, int64_t i) {
+  if (i < 0 || i >= static_cast<int64_t>(texts.size())) return nullptr;
+  return texts[static_cast<std::size_t>(i)].c_str();
 }
 
 /// A copy that craze_text_free() takes back.

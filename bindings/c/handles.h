@@ -17,10 +17,34 @@
 #include "craze/surface_mesh.h"
 
 struct craze_mesh {
-  std::shared_ptr<craze::SurfaceMesh> mesh;
-  std::vector<std::string> names;  // of its arrays
+  std::shared_ptr<const craze::SurfaceMesh> mesh;
+  std::vector<std::string> warnings;  // of the file it was read from
+  std::vector<std::string> names;     // of its arrays
 
   explicit craze_mesh(craze::SurfaceMesh given);
+  explicit craze_mesh(std::shared_ptr<const craze::SurfaceMesh> shared);
+
+  /// Applies edit(SurfaceMesh&); those that share the mesh keep it as it was.
+  template <class Edit>
+  void change(Edit&& edit) {
+    std::shared_ptr<craze::SurfaceMesh> changed = own_;
+    if (!own_ || own_.use_count() > own_uses) {
+      changed = std::make_shared<craze::SurfaceMesh>(*mesh);
+    }
+    // What another thread read before it let go of the mesh comes before what is written now.
+    std::atomic_thread_fence(std::memory_order_acquire);
+    edit(*changed);
+    own_ = std::move(changed);
+    mesh = own_;
+    list_arrays();
+  }
+
+ private:
+  static constexpr long own_uses = 3;  // own_, mesh and change()'s
+
+  void list_arrays();
+
+  std::shared_ptr<craze::SurfaceMesh> own_;  // that of `mesh`; null where it belongs to an opening
 };
 
 struct craze_lines {
@@ -39,6 +63,6 @@ struct craze_job {
 };
 
 struct craze_opening {
-  craze::Opening opening;
-  std::optional<craze::GrowthClip> clip;  // made when the first position is asked for
+  std::shared_ptr<const craze::Opening> opening;  // shared with the mesh made of it
+  std::optional<craze::GrowthClip> clip;          // made when the first position is asked for
 };

@@ -1,14 +1,48 @@
 // A run of the interface: what is cracked, how, and the run itself.
 #include <nlohmann/json.hpp>
 
+#include "callback_context.h"
+#include "craze/base/image.h"
 #include "craze/presets.h"
 #include "craze/recipe/recipe_json.h"
+#include "craze/recipe/set_key.h"
 #include "guard.h"
 #include "handles.h"
-#include "job_context.h"
 
 using namespace craze;
 using namespace craze::c;
+
+namespace {
+
+template <class T>
+std::vector<T> copy_pixels(const void* pixels, int64_t count) {
+  const T* first = static_cast<const T*>(pixels);
+  return {first, first + count};
+}
+
+decltype(Image::values) pixel_values(const void* pixels, craze_type type, int64_t count,
+                                     const char* name) {
+  switch (type) {
+    case CRAZE_UINT8:
+      return copy_pixels<std::uint8_t>(pixels, count);
+    case CRAZE_UINT16:
+      return copy_pixels<std::uint16_t>(pixels, count);
+    case CRAZE_FLOAT32: {
+      std::vector<float> values = copy_pixels<float>(pixels, count);
+      for (const float x : values) {
+        if (!(x >= 0 && x <= 1)) {
+          throw Error(ErrorKind::usage, "wrong pixel", name, "must be in [0, 1]");
+        }
+      }
+      return values;
+    }
+    default:
+      throw Error(ErrorKind::usage, "wrong type of pixels", name,
+                  "must be CRAZE_UINT8, CRAZE_UINT16 or CRAZE_FLOAT32");
+  }
+}
+
+}  // namespace
 
 craze_job* craze_job_new(void) {
   return guarded(nullptr, [] { return new craze_job; });
@@ -26,8 +60,9 @@ craze_status craze_job_set_mesh(craze_job* job, const craze_mesh* mesh, craze_er
   });
 }
 
-craze_status craze_job_set_texture(craze_job* job, const char* name, const float* pixels,
-                                   int64_t width, int64_t height, craze_error* error) {
+craze_status craze_job_set_texture(craze_job* job, const char* name, const void* pixels,
+                                   craze_type type, int64_t width, int64_t height, int32_t channels,
+                                   craze_error* error) {
   return guard(error, [&] {
     require(job, "job");
     require(name, "name");
@@ -37,11 +72,15 @@ craze_status craze_job_set_texture(craze_job* job, const char* name, const float
       throw Error(ErrorKind::usage, "wrong size of a picture", name,
                   "its sides must be 1 to 16384 pixels");
     }
-    GreyImage image;
+    if (channels < 1 || channels > 4) {
+      throw Error(ErrorKind::usage, "wrong number of channels", name, "must be 1 to 4");
+    }
+    Image image;
     image.width = static_cast<std::int32_t>(width);
     image.height = static_cast<std::int32_t>(height);
-    image.pixels.assign(pixels, pixels + width * height);
-    job->textures[name] = std::move(image);
+    image.channels = channels;
+    image.values = pixel_values(pixels, type, width * height * channels, name);
+    job->textures[name] = to_grey(image);
   });
 }
 
@@ -67,7 +106,7 @@ craze_status craze_job_set(craze_job* job, const char* key, const char* value, c
     require(job, "job");
     require(key, "key");
     require(value, "value");
-    apply_set(job->recipe, std::string(key) + "=" + value);
+    set_key(job->recipe, key, value, std::string(key) + " = " + value);
   });
 }
 
@@ -108,7 +147,7 @@ craze_status craze_job_run(craze_job* job, craze_error* error) {
     if (!job->mesh) wrong_argument("nothing to crack", "craze_job_run", "set a mesh first");
     CrackOptions options = job->options;
     options.on_cancel = OnCancel::discard;
-    const JobContext context(*job);
+    const CallbackContext context(*job);
     job->result = crack({job->mesh, job->textures, "mesh"}, job->recipe, options, context.get());
   });
 }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "callback_context.h"
 #include "craze/mesh/mesh_parts.h"
 #include "craze/products.h"
 #include "craze/read_mesh.h"
@@ -90,6 +91,13 @@ void set_attribute(std::vector<Attribute>& attributes, std::string name, const d
   attributes.push_back(std::move(attribute));
 }
 
+void check_vertex(std::size_t face, int32_t vertex, int64_t count) {
+  if (vertex >= 0 && vertex < count) return;
+  throw Error(
+      ErrorKind::input, "wrong face", std::to_string(face),
+      "it has vertex " + std::to_string(vertex) + ", there are 0 to " + std::to_string(count - 1));
+}
+
 template <class Row>
 void set_rows(std::vector<Row>& into, const double* values, int64_t rows, int columns) {
   into.resize(static_cast<std::size_t>(rows));
@@ -101,6 +109,18 @@ void set_rows(std::vector<Row>& into, const double* values, int64_t rows, int co
   }
 }
 
+std::vector<int32_t> whole_numbers(std::string_view name, const double* values, int64_t rows) {
+  std::vector<int32_t> numbers;
+  for (int64_t i = 0; i < rows; ++i) {
+    constexpr double most = std::numeric_limits<int32_t>::max();
+    if (!(values[i] >= 0 && values[i] <= most && values[i] == std::floor(values[i]))) {
+      throw Error(ErrorKind::usage, "wrong number", std::string(name), "must be whole, from 0");
+    }
+    numbers.push_back(static_cast<int32_t>(values[i]));
+  }
+  return numbers;
+}
+
 void set_array(SurfaceMesh& mesh, std::string_view name, const double* values, int64_t rows,
                int32_t columns) {
   const std::size_t n = mesh.positions.size(), m = mesh.triangles.size();
@@ -110,9 +130,13 @@ void set_array(SurfaceMesh& mesh, std::string_view name, const double* values, i
   } else if (name == "normals") {
     check_rows(name, rows, 3 * m, columns, 3);
     set_rows(mesh.corner_normals, values, rows, 3);
+  } else if (name == "source_faces") {
+    check_rows(name, rows, m, columns, 1);
+    mesh.source_faces = whole_numbers(name, values, rows);
   } else if (name == "vertex:color") {
-    check_rows(name, rows, n, columns, 4);
-    set_rows(mesh.vertex_colors, values, rows, 4);
+    check_rows(name, rows, n, columns, columns == 3 ? 3 : 4);
+    mesh.vertex_colors.assign(n, Color{0, 0, 0, 1});
+    set_rows(mesh.vertex_colors, values, rows, columns);
   } else if (starts_with(name, vertex_prefix) && name.size() > vertex_prefix.size()) {
     check_rows(name, rows, n, columns, 0);
     set_attribute(mesh.vertex_attributes, std::string(name.substr(vertex_prefix.size())), values,
@@ -123,14 +147,30 @@ void set_array(SurfaceMesh& mesh, std::string_view name, const double* values, i
                   columns);
   } else {
     throw Error(ErrorKind::usage, "no such array", std::string(name),
-                "uv, normals, vertex:NAME and face:NAME can be set");
+                "uv, normals, source_faces, vertex:NAME and face:NAME can be set");
   }
+}
+
+void require_fragments(const SurfaceMesh& mesh) {
+  if (find_attribute(mesh.face_attributes, "fragment")) return;
+  throw Error(ErrorKind::request, "no fragments", "face:fragment",
+              "the mesh has no such attribute: it is not a cracked one");
 }
 
 }  // namespace
 
-craze_mesh::craze_mesh(SurfaceMesh given)
-    : mesh(std::make_shared<SurfaceMesh>(std::move(given))), names(array_names(*mesh)) {}
+craze_mesh::craze_mesh(SurfaceMesh given) : own_(std::make_shared<SurfaceMesh>(std::move(given))) {
+  mesh = own_;
+  list_arrays();
+}
+
+craze_mesh::craze_mesh(std::shared_ptr<const SurfaceMesh> shared) : mesh(std::move(shared)) {
+  list_arrays();
+}
+
+void craze_mesh::list_arrays() {
+  names = array_names(*mesh);
+}
 
 craze_mesh* craze_mesh_new(const double* vertices, int64_t n, const int32_t* faces, int64_t m,
                            craze_error* error) {
@@ -149,16 +189,25 @@ craze_mesh* craze_mesh_new(const double* vertices, int64_t n, const int32_t* fac
     mesh.triangles.resize(static_cast<std::size_t>(m));
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
       mesh.triangles[f] = {faces[3 * f], faces[3 * f + 1], faces[3 * f + 2]};
+      for (const int32_t v : mesh.triangles[f]) check_vertex(f, v, n);
     }
     return new craze_mesh(std::move(mesh));
   });
 }
 
-craze_mesh* craze_mesh_read(const char* path, craze_error* error) {
+craze_mesh* craze_mesh_read(const char* path, craze_progress progress, void* user,
+                            craze_error* error) {
   return guarded(error, [&] {
     require(path, "path");
-    return new craze_mesh(read_mesh_file(path).mesh);
+    MeshFile file = read_mesh_file(path, CallbackContext(progress, user).get());
+    auto mesh = std::make_unique<craze_mesh>(std::move(file.mesh));
+    mesh->warnings = std::move(file.warnings);
+    return mesh.release();
   });
+}
+
+const char* craze_mesh_warning(const craze_mesh* mesh, int64_t i) {
+  return mesh ? text_at(mesh->warnings, i) : nullptr;
 }
 
 craze_mesh* craze_mesh_shape(const char* specification, craze_error* error) {
@@ -178,12 +227,33 @@ craze_status craze_mesh_set(craze_mesh* mesh, const char* name, const double* va
     require(mesh, "mesh");
     require(name, "name");
     if (rows > 0) require(values, "values");
-    // Those that share the mesh keep it as it was.
-    auto changed =
-        mesh->mesh.use_count() > 1 ? std::make_shared<SurfaceMesh>(*mesh->mesh) : mesh->mesh;
-    set_array(*changed, name, values, rows, columns);
-    mesh->mesh = std::move(changed);
-    mesh->names = array_names(*mesh->mesh);
+    mesh->change([&](SurfaceMesh& changed) { set_array(changed, name, values, rows, columns); });
+  });
+}
+
+craze_status craze_mesh_set_materials(craze_mesh* mesh, const int32_t* materials,
+                                      const char* const* names, int64_t count, craze_error* error) {
+  return guard(error, [&] {
+    require(mesh, "mesh");
+    if (count > 0) require(names, "names");
+    if (count > 0 && !mesh->mesh->triangles.empty()) require(materials, "materials");
+    std::vector<std::string> given;
+    for (int64_t i = 0; i < count; ++i) {
+      require(names[i], "names");
+      given.emplace_back(names[i]);
+    }
+    std::vector<int32_t> of_faces;
+    if (count > 0) of_faces.assign(materials, materials + mesh->mesh->triangles.size());
+    for (const int32_t material : of_faces) {
+      if (material < -1 || material >= count) {
+        wrong_argument("wrong material", std::to_string(material).c_str(),
+                       "must be -1 or count the names from 0");
+      }
+    }
+    mesh->change([&](SurfaceMesh& changed) {
+      changed.material_names = std::move(given);
+      changed.face_materials = std::move(of_faces);
+    });
   });
 }
 
@@ -198,22 +268,19 @@ craze_status craze_mesh_array(const craze_mesh* mesh, const char* name, craze_ar
 }
 
 const char* craze_mesh_array_name(const craze_mesh* mesh, int64_t i) {
-  if (!mesh || i < 0 || i >= static_cast<int64_t>(mesh->names.size())) return nullptr;
-  return mesh->names[static_cast<std::size_t>(i)].c_str();
+  return mesh ? text_at(mesh->names, i) : nullptr;
 }
 
 const char* craze_mesh_material_name(const craze_mesh* mesh, int64_t i) {
-  if (!mesh || i < 0 || i >= static_cast<int64_t>(mesh->mesh->material_names.size())) {
-    return nullptr;
-  }
-  return mesh->mesh->material_names[static_cast<std::size_t>(i)].c_str();
+  return mesh ? text_at(mesh->mesh->material_names, i) : nullptr;
 }
 
-craze_status craze_mesh_write(const craze_mesh* mesh, const char* path, craze_error* error) {
+craze_status craze_mesh_write(const craze_mesh* mesh, const char* path, craze_progress progress,
+                              void* user, craze_error* error) {
   return guard(error, [&] {
     require(mesh, "mesh");
     require(path, "path");
-    write_mesh(path, *mesh->mesh);
+    write_mesh(path, *mesh->mesh, {}, CallbackContext(progress, user).get());
   });
 }
 
@@ -221,6 +288,7 @@ int64_t craze_mesh_fragment_count(const craze_mesh* mesh, craze_error* error) {
   int64_t count = -1;
   guard(error, [&] {
     require(mesh, "mesh");
+    require_fragments(*mesh->mesh);
     count = static_cast<int64_t>(mesh_parts(*mesh->mesh, "fragment").size());
   });
   return count;
@@ -231,6 +299,7 @@ craze_status craze_mesh_fragments(const craze_mesh* mesh, craze_mesh** pieces, i
   return guard(error, [&] {
     require(mesh, "mesh");
     if (count > 0) require(pieces, "pieces");
+    require_fragments(*mesh->mesh);
     std::vector<SurfaceMesh> found = fragments(*mesh->mesh);
     if (count != static_cast<int64_t>(found.size())) {
       wrong_argument("wrong number of fragments", "craze_mesh_fragments",

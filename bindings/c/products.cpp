@@ -1,10 +1,14 @@
 // What comes out of a run of the interface.
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "callback_context.h"
+#include "craze/products/report_json.h"
 #include "guard.h"
 #include "handles.h"
-#include "job_context.h"
 
 using namespace craze;
 using namespace craze::c;
@@ -68,7 +72,12 @@ LineSet line_set(const double* points, int64_t p, const int32_t* edges, int64_t 
     }
     lines.edges.push_back({a, b});
   }
-  if (time) lines.edge_attributes.push_back({"time", 1, {time, time + e}});
+  if (time) {
+    lines.edge_attributes.push_back({"time", 1, {time, time + e}});
+    if (!std::all_of(time, time + e, [](double t) { return std::isfinite(t); })) {
+      wrong_argument("wrong time", "time", "must be finite");
+    }
+  }
   return lines;
 }
 
@@ -77,7 +86,7 @@ LineSet line_set(const double* points, int64_t p, const int32_t* edges, int64_t 
 craze_mesh* craze_job_cut_mesh(const craze_job* job, craze_error* error) {
   return guarded(error, [&] {
     const Result& result = result_of(job);
-    return new craze_mesh(cut_mesh(result, JobContext(*job).get()));
+    return new craze_mesh(cut_mesh(result, CallbackContext(*job).get()));
   });
 }
 
@@ -103,6 +112,11 @@ char* craze_job_report(const craze_job* job, craze_error* error) {
   return guarded(error, [&] { return copy_text(report_json(result_of(job))); });
 }
 
+char* craze_job_summary(const craze_job* job, craze_error* error) {
+  return guarded(
+      error, [&] { return copy_text(report_to_json(result_of(job).report(), nullptr).dump(2)); });
+}
+
 char* craze_job_statistics(const craze_job* job, craze_error* error) {
   return guarded(error, [&] { return copy_text(statistics_json(result_of(job))); });
 }
@@ -123,7 +137,8 @@ craze_opening* craze_job_open(const craze_job* job, double gap, double wall, dou
     post.gap = gap;
     post.wall = wall;
     post.curl = curl;
-    return new craze_opening{Opening(result, post, JobContext(*job).get()), {}};
+    const CallbackContext context(*job);
+    return new craze_opening{std::make_shared<const Opening>(result, post, context.get()), {}};
   });
 }
 
@@ -134,15 +149,16 @@ void craze_opening_free(craze_opening* opening) {
 craze_mesh* craze_opening_mesh(const craze_opening* opening, craze_error* error) {
   return guarded(error, [&] {
     require(opening, "opening");
-    return new craze_mesh(opening->opening.mesh());
+    return new craze_mesh({opening->opening, &opening->opening->mesh()});
   });
 }
 
 const char* craze_opening_warning(const craze_opening* opening, int64_t i) {
-  if (!opening || i < 0 || i >= static_cast<int64_t>(opening->opening.warnings().size())) {
-    return nullptr;
-  }
-  return opening->opening.warnings()[static_cast<std::size_t>(i)].c_str();
+  return opening ? text_at(opening->opening->warnings(), i) : nullptr;
+}
+
+int64_t craze_opening_vertex_count(const craze_opening* opening) {
+  return opening ? static_cast<int64_t>(opening->opening->mesh().positions.size()) : 0;
 }
 
 craze_status craze_opening_positions_at(craze_opening* opening, double time, double* positions,
@@ -151,7 +167,7 @@ craze_status craze_opening_positions_at(craze_opening* opening, double time, dou
     require(opening, "opening");
     require(positions, "positions");
     if (!(time >= 0 && time <= 1)) wrong_argument("wrong time", "time", "must be in [0, 1]");
-    if (!opening->clip) opening->clip.emplace(opening->opening);
+    if (!opening->clip) opening->clip.emplace(*opening->opening);
     for (const Vec3& p : opening->clip->positions_at(time)) {
       *positions++ = p.x();
       *positions++ = p.y();

@@ -7,7 +7,7 @@
  *   craze_job_set_preset(job, "mud", &error);
  *   if (craze_job_run(job, &error) == CRAZE_OK) {
  *     craze_mesh *cracked = craze_job_cut_mesh(job, &error);
- *     craze_mesh_write(cracked, "mud.ply", &error);
+ *     craze_mesh_write(cracked, "mud.ply", NULL, NULL, &error);
  *     craze_mesh_free(cracked);
  *   }
  *   craze_job_free(job);
@@ -56,16 +56,29 @@ typedef struct craze_error {
   char message[1024];
 } craze_error;
 
-typedef enum craze_type { CRAZE_FLOAT64 = 0, CRAZE_FLOAT32 = 1, CRAZE_INT32 = 2 } craze_type;
+typedef enum craze_type {
+  CRAZE_FLOAT64 = 0,
+  CRAZE_FLOAT32 = 1,
+  CRAZE_INT32 = 2,
+  CRAZE_UINT8 = 3, /* of pictures alone, as the next */
+  CRAZE_UINT16 = 4
+} craze_type;
 
 /* Numbers in rows, one after the other, owned by the handle they were got from: valid until it is
  * freed. */
 typedef struct craze_array {
-  const void *data;
+  const void* data;
   int64_t rows;
   int32_t columns;
   craze_type type;
 } craze_array;
+
+/* Called from the thread that called the function that takes it, about twenty times a second and at
+ * the start of each phase. `fraction` is 0 ... 1, or below 0 where no end is known. Anything but 0
+ * stops: the call returns CRAZE_CANCELLED and changes nothing. It must not use the handle that is
+ * at work. NULL where nobody asks. */
+typedef int (*craze_progress)(void* user, const char* phase, double fraction, int64_t cracks,
+                              double load);
 
 typedef struct craze_mesh craze_mesh;
 typedef struct craze_lines craze_lines;
@@ -73,134 +86,146 @@ typedef struct craze_job craze_job;
 typedef struct craze_opening craze_opening;
 
 /* "0.2.0". */
-CRAZE_API const char *craze_version(void);
+CRAZE_API const char* craze_version(void);
 /* CRAZE_INTERFACE of the library that is loaded. */
 CRAZE_API int craze_interface(void);
 /* Frees a text that a function below returned. */
-CRAZE_API void craze_text_free(char *text);
+CRAZE_API void craze_text_free(char* text);
 
 /* JSON: {"glaze": {"description": ..., "recipe": {...}}, ...}. Free with craze_text_free. */
-CRAZE_API char *craze_presets(craze_error *error);
+CRAZE_API char* craze_presets(craze_error* error);
 /* JSON: a list of every key of a recipe with its type, default, range, choices, unit and help. Free
  * with craze_text_free. */
-CRAZE_API char *craze_parameters(craze_error *error);
+CRAZE_API char* craze_parameters(craze_error* error);
 
 /* ---- Meshes ------------------------------------------------------------------------------ */
 
 /* Copies `vertices` (n rows of x y z) and `faces` (m rows of three vertex indices from 0,
- * counter-clockwise seen from outside). */
-CRAZE_API craze_mesh *craze_mesh_new(const double *vertices, int64_t n, const int32_t *faces,
-                                     int64_t m, craze_error *error);
+ * counter-clockwise seen from outside). CRAZE_INPUT where a face has a vertex that is not there. */
+CRAZE_API craze_mesh* craze_mesh_new(const double* vertices, int64_t n, const int32_t* faces,
+                                     int64_t m, craze_error* error);
 /* Reads .obj .ply .stl .off .gltf .glb. */
-CRAZE_API craze_mesh *craze_mesh_read(const char *path, craze_error *error);
+CRAZE_API craze_mesh* craze_mesh_read(const char* path, craze_progress progress, void* user,
+                                      craze_error* error);
+/* What the file had that was left out, one sentence at a time; NULL beyond the last. */
+CRAZE_API const char* craze_mesh_warning(const craze_mesh* mesh, int64_t i);
 /* A built-in shape: "plate?n=60&jitter=0.3", "cup", "sphere?n=40", ... */
-CRAZE_API craze_mesh *craze_mesh_shape(const char *specification, craze_error *error);
-CRAZE_API void craze_mesh_free(craze_mesh *mesh);
+CRAZE_API craze_mesh* craze_mesh_shape(const char* specification, craze_error* error);
+CRAZE_API void craze_mesh_free(craze_mesh* mesh);
 
 /* Sets what is known per element; `rows` must fit. Names:
  *   "uv"           3 m rows of 2: corner i of face f at 3 f + i
  *   "normals"      3 m rows of 3, unit, likewise
- *   "vertex:NAME"  n rows of any number of columns; "vertex:color" takes 4, linear RGBA in 0 ... 1
- *   "face:NAME"    m rows of any number of columns */
-CRAZE_API craze_status craze_mesh_set(craze_mesh *mesh, const char *name, const double *values,
-                                      int64_t rows, int32_t columns, craze_error *error);
+ *   "source_faces" m rows of 1: what the cut mesh gives as "face:source_face"; the faces themselves
+ *                  where it is not set
+ *   "vertex:NAME"  n rows of any number of columns; "vertex:color" takes 4, linear RGBA in 0 ... 1,
+ * or 3 "face:NAME"    m rows of any number of columns */
+CRAZE_API craze_status craze_mesh_set(craze_mesh* mesh, const char* name, const double* values,
+                                      int64_t rows, int32_t columns, craze_error* error);
+
+/* Sets the material of each face: m indices of the `count` names, -1: none. 0 names: no materials.
+ */
+CRAZE_API craze_status craze_mesh_set_materials(craze_mesh* mesh, const int32_t* materials,
+                                                const char* const* names, int64_t count,
+                                                craze_error* error);
 
 /* A view of what is known: "vertices" (n, 3) float64, "faces" (m, 3) int32, "source_faces" (m, 1)
  * int32, "materials" (m, 1) int32, "colors" (n, 4) float32, and the names that craze_mesh_set
  * takes. CRAZE_USAGE where the mesh has no such thing. */
-CRAZE_API craze_status craze_mesh_array(const craze_mesh *mesh, const char *name,
-                                        craze_array *array, craze_error *error);
+CRAZE_API craze_status craze_mesh_array(const craze_mesh* mesh, const char* name,
+                                        craze_array* array, craze_error* error);
 /* The name of the i-th array, NULL beyond the last; valid until the mesh is freed or set. */
-CRAZE_API const char *craze_mesh_array_name(const craze_mesh *mesh, int64_t i);
+CRAZE_API const char* craze_mesh_array_name(const craze_mesh* mesh, int64_t i);
 /* The name of the i-th material ("materials" counts them from 0; -1: none), NULL beyond the
  * last. */
-CRAZE_API const char *craze_mesh_material_name(const craze_mesh *mesh, int64_t i);
+CRAZE_API const char* craze_mesh_material_name(const craze_mesh* mesh, int64_t i);
 
 /* Writes .ply .obj .stl .glb: the whole file or none. */
-CRAZE_API craze_status craze_mesh_write(const craze_mesh *mesh, const char *path,
-                                        craze_error *error);
+CRAZE_API craze_status craze_mesh_write(const craze_mesh* mesh, const char* path,
+                                        craze_progress progress, void* user, craze_error* error);
 /* The parts of a cracked mesh by its face attribute "fragment": how many there are (-1 where it has
  * none), and as many handles, to be freed one by one. */
-CRAZE_API int64_t craze_mesh_fragment_count(const craze_mesh *mesh, craze_error *error);
-CRAZE_API craze_status craze_mesh_fragments(const craze_mesh *mesh, craze_mesh **pieces,
-                                            int64_t count, craze_error *error);
+CRAZE_API int64_t craze_mesh_fragment_count(const craze_mesh* mesh, craze_error* error);
+CRAZE_API craze_status craze_mesh_fragments(const craze_mesh* mesh, craze_mesh** pieces,
+                                            int64_t count, craze_error* error);
 
 /* ---- A run ------------------------------------------------------------------------------- */
 
-CRAZE_API craze_job *craze_job_new(void);
-CRAZE_API void craze_job_free(craze_job *job);
+CRAZE_API craze_job* craze_job_new(void);
+CRAZE_API void craze_job_free(craze_job* job);
 
 /* What is cracked. The mesh is shared, not copied, until it is set or freed. */
-CRAZE_API craze_status craze_job_set_mesh(craze_job *job, const craze_mesh *mesh,
-                                          craze_error *error);
-/* A grey picture that the recipe names (stress.texture ...): height rows from the top of width
- * pixels, 0 black, 1 white. Copied. */
-CRAZE_API craze_status craze_job_set_texture(craze_job *job, const char *name, const float *pixels,
-                                             int64_t width, int64_t height, craze_error *error);
+CRAZE_API craze_status craze_job_set_mesh(craze_job* job, const craze_mesh* mesh,
+                                          craze_error* error);
+/* A picture that the recipe names (stress.texture ...): height rows from the top of width pixels of
+ * 1 ... 4 channels (grey, grey and alpha, RGB, RGBA) of CRAZE_UINT8, CRAZE_UINT16 or CRAZE_FLOAT32
+ * in 0 ... 1. What counts is 0.2126 R + 0.7152 G + 0.0722 B as given (no gamma), without alpha.
+ * Copied. */
+CRAZE_API craze_status craze_job_set_texture(craze_job* job, const char* name, const void* pixels,
+                                             craze_type type, int64_t width, int64_t height,
+                                             int32_t channels, craze_error* error);
 
 /* The recipe: that of a preset; TOML or JSON text, on top of the defaults, `name` being what errors
  * call it; one key ("layer.spacing") and its value as TOML or JSON ("0.2", "\"mud\"", "[0, 0, 1]"),
  * on top of what is set. The last one stands. */
-CRAZE_API craze_status craze_job_set_preset(craze_job *job, const char *preset, craze_error *error);
-CRAZE_API craze_status craze_job_set_recipe(craze_job *job, const char *text, const char *name,
-                                            craze_error *error);
-CRAZE_API craze_status craze_job_set(craze_job *job, const char *key, const char *value,
-                                     craze_error *error);
+CRAZE_API craze_status craze_job_set_preset(craze_job* job, const char* preset, craze_error* error);
+CRAZE_API craze_status craze_job_set_recipe(craze_job* job, const char* text, const char* name,
+                                            craze_error* error);
+CRAZE_API craze_status craze_job_set(craze_job* job, const char* key, const char* value,
+                                     craze_error* error);
 /* JSON of the whole recipe as it is set. Free with craze_text_free. */
-CRAZE_API char *craze_job_recipe(const craze_job *job, craze_error *error);
+CRAZE_API char* craze_job_recipe(const craze_job* job, craze_error* error);
 
 /* 0, the default: one per core. The result does not depend on it. */
-CRAZE_API craze_status craze_job_set_threads(craze_job *job, int threads, craze_error *error);
+CRAZE_API craze_status craze_job_set_threads(craze_job* job, int threads, craze_error* error);
 /* Stop after so many crack events; 0: before the first; below 0, the default: no such limit. */
-CRAZE_API craze_status craze_job_set_max_cracks(craze_job *job, int64_t max_cracks,
-                                                craze_error *error);
+CRAZE_API craze_status craze_job_set_max_cracks(craze_job* job, int64_t max_cracks,
+                                                craze_error* error);
 
-/* Called from the thread that called craze_job_run or asked for a product, about twenty times a
- * second and at the start of each phase. `fraction` is 0 ... 1, or below 0 where no end is known.
- * Anything but 0 stops: the call returns CRAZE_CANCELLED and the job is as it was before. */
-typedef int (*craze_progress)(void *user, const char *phase, double fraction, int64_t cracks,
-                              double load);
-CRAZE_API void craze_job_set_progress(craze_job *job, craze_progress progress, void *user);
+/* Asked by craze_job_run and by what makes products of the job. */
+CRAZE_API void craze_job_set_progress(craze_job* job, craze_progress progress, void* user);
 
 /* Cracks the mesh. May be called again, with another recipe or mesh; products made before stay. */
-CRAZE_API craze_status craze_job_run(craze_job *job, craze_error *error);
+CRAZE_API craze_status craze_job_run(craze_job* job, craze_error* error);
 
 /* ---- What comes out ---------------------------------------------------------------------- */
 
 /* The cut mesh, shut. "vertex:crack_distance", "vertex:crack_time", "vertex:crack_growth",
  * "vertex:displacement", "face:fragment", "face:source_face" are as in docs/outputs.md. */
-CRAZE_API craze_mesh *craze_job_cut_mesh(const craze_job *job, craze_error *error);
+CRAZE_API craze_mesh* craze_job_cut_mesh(const craze_job* job, craze_error* error);
 
 /* The cracks as a graph: "points" (p, 3) float64, "edges" (e, 2) int32, "uv" (2 e, 2), and
  * "point:NAME" (junction, normal) and "edge:NAME" (time, width, event). */
-CRAZE_API craze_lines *craze_job_lines(const craze_job *job, craze_error *error);
-CRAZE_API craze_status craze_lines_array(const craze_lines *lines, const char *name,
-                                         craze_array *array, craze_error *error);
-CRAZE_API void craze_lines_free(craze_lines *lines);
+CRAZE_API craze_lines* craze_job_lines(const craze_job* job, craze_error* error);
+CRAZE_API craze_status craze_lines_array(const craze_lines* lines, const char* name,
+                                         craze_array* array, craze_error* error);
+CRAZE_API void craze_lines_free(craze_lines* lines);
 
 /* JSON; free with craze_text_free. The report is that of the command; the statistics are part of
- * it. */
-CRAZE_API char *craze_job_report(const craze_job *job, craze_error *error);
-CRAZE_API char *craze_job_statistics(const craze_job *job, craze_error *error);
+ * it, and the summary is the report without them, which takes no time. */
+CRAZE_API char* craze_job_report(const craze_job* job, craze_error* error);
+CRAZE_API char* craze_job_summary(const craze_job* job, craze_error* error);
+CRAZE_API char* craze_job_statistics(const craze_job* job, craze_error* error);
 /* Statistics of lines of any origin: `points` (p rows of 3), `edges` (e rows of 2). `time`, one
  * per edge, may be NULL. `simplify`: lines are drawn by as few of their points as stay within this
  * length of them; 0: as they are. */
-CRAZE_API char *craze_statistics(const double *points, int64_t p, const int32_t *edges, int64_t e,
-                                 const double *time, double simplify, craze_error *error);
+CRAZE_API char* craze_statistics(const double* points, int64_t p, const int32_t* edges, int64_t e,
+                                 const double* time, double simplify, craze_error* error);
 
 /* The cut mesh with its cracks open: `gap` times the displacement, walls of depth `wall` (length),
  * edges lifted by `curl`. Nothing is cracked again. */
-CRAZE_API craze_opening *craze_job_open(const craze_job *job, double gap, double wall, double curl,
-                                        craze_error *error);
-CRAZE_API void craze_opening_free(craze_opening *opening);
+CRAZE_API craze_opening* craze_job_open(const craze_job* job, double gap, double wall, double curl,
+                                        craze_error* error);
+CRAZE_API void craze_opening_free(craze_opening* opening);
 /* The opened mesh. Free with craze_mesh_free. */
-CRAZE_API craze_mesh *craze_opening_mesh(const craze_opening *opening, craze_error *error);
+CRAZE_API craze_mesh* craze_opening_mesh(const craze_opening* opening, craze_error* error);
 /* What could not be done as asked, one sentence at a time; NULL beyond the last. */
-CRAZE_API const char *craze_opening_warning(const craze_opening *opening, int64_t i);
-/* Its vertices at a time of its growth, 0 (no crack) ... 1 (all): writes as many rows of x y z as
- * its mesh has vertices. */
-CRAZE_API craze_status craze_opening_positions_at(craze_opening *opening, double time,
-                                                  double *positions, craze_error *error);
+CRAZE_API const char* craze_opening_warning(const craze_opening* opening, int64_t i);
+/* How many vertices its mesh has. */
+CRAZE_API int64_t craze_opening_vertex_count(const craze_opening* opening);
+/* Its vertices at a time of its growth, 0 (no crack) ... 1 (all): writes as many rows of x y z. */
+CRAZE_API craze_status craze_opening_positions_at(craze_opening* opening, double time,
+                                                  double* positions, craze_error* error);
 
 #ifdef __cplusplus
 }

@@ -10,6 +10,7 @@
 #include "craze/error.h"
 #include "craze/recipe/parameter_table.h"
 #include "craze/recipe/recipe_json.h"
+#include "craze/recipe/set_key.h"
 
 namespace craze {
 namespace {
@@ -263,6 +264,20 @@ TEST(RecipeJson, HoldsSectionsAndImpacts) {
   EXPECT_EQ(json["impact"].size(), 2u);
   EXPECT_EQ(json["impact"][1]["radius"], 5.0);
   EXPECT_EQ(recipe_to_json(Recipe{})["impact"].size(), 0u);
+}
+
+TEST(SetKey, NamesWhatItWasTold) {
+  Recipe recipe;
+  set_key(recipe, "seed", "7", "seed of a program");
+  EXPECT_EQ(recipe.simulation.seed, 7u);
+  const Recipe before = recipe;
+  for (const char* value : {"-1", "much", "[1]", "7\nengine = \"euler\""}) {
+    const std::string message =
+        message_of([&] { set_key(recipe, "seed", value, "seed of a program"); });
+    EXPECT_NE(message.find("(seed of a program)"), std::string::npos) << message;
+    EXPECT_EQ(message.find("--set"), std::string::npos) << message;
+    EXPECT_TRUE(recipe == before);
+  }
 }
 
 }  // namespace

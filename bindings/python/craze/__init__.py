@@ -11,9 +11,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from ._library import Error, call, call_json
+from ._library import Error, call, text_of
+from ._lines import Lines
 from ._mesh import Mesh, read, shape
-from ._run import Lines, Result, crack, stats
+from ._run import Result, crack
+from ._statistics import stats
 
 __version__: str = call("craze_version").decode()
 
@@ -22,6 +24,7 @@ __all__ = [
     "Lines",
     "Mesh",
     "Result",
+    "__version__",
     "crack",
     "parameters",
     "presets",
@@ -33,10 +36,10 @@ __all__ = [
 
 def presets() -> dict[str, dict[str, Any]]:
     """{name: recipe}: each preset as a dict that crack() takes."""
-    return {name: entry["recipe"] for name, entry in call_json("craze_presets").items()}
+    return {name: entry["recipe"] for name, entry in text_of(call("craze_presets")).items()}
 
 
 def parameters() -> list[dict[str, Any]]:
     """Every key of a recipe: key, type, default, minimum, maximum, choices, unit, help …"""
-    listed: list[dict[str, Any]] = call_json("craze_parameters")
+    listed: list[dict[str, Any]] = text_of(call("craze_parameters"))
     return listed

@@ -1,14 +1,18 @@
-"""The C interface (craze.h) as Python calls it: argument types, errors, texts."""
+"""The C interface (craze.h) as Python calls it: argument types, errors, handles, views."""
 
 from __future__ import annotations
 
 import ctypes
 import json
+import operator
 import os
-from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_int32, c_int64, c_void_p
+import reprlib
+import threading
+from ctypes import POINTER, c_char_p, c_double, c_int, c_int32, c_int64, c_void_p
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 INTERFACE = 1
 
@@ -28,6 +32,9 @@ class Cancelled(Exception):
     """A callback asked to stop; never leaves the package."""
 
 
+Array = npt.NDArray[Any]
+
+
 class _CError(ctypes.Structure):
     _fields_ = [("status", c_int), ("message", ctypes.c_char * 1024)]
 
@@ -40,10 +47,11 @@ PROGRESS = ctypes.CFUNCTYPE(c_int, c_void_p, c_char_p, c_double, c_int64, c_doub
 
 _KINDS = {1: "input", 2: "usage", 3: "request", 4: "output", 6: "memory", 7: "internal"}
 _CANCELLED = 5
-_DTYPES = (np.float64, np.float32, np.int32)
+_DTYPES = (np.dtype(np.float64), np.dtype(np.float32), np.dtype(np.int32))
+PIXEL_TYPES = {np.dtype(np.uint8): 3, np.dtype(np.uint16): 4, np.dtype(np.float32): 1}
 
 _ERROR = POINTER(_CError)
-# name: (what it returns, what it takes before the error); None as last: it takes no error.
+# name: (what it returns, what it takes before the error, whether it takes one).
 _FUNCTIONS: dict[str, tuple[Any, list[Any], bool]] = {
     "craze_version": (c_char_p, [], False),
     "craze_interface": (c_int, [], False),
@@ -51,20 +59,26 @@ _FUNCTIONS: dict[str, tuple[Any, list[Any], bool]] = {
     "craze_presets": (c_void_p, [], True),
     "craze_parameters": (c_void_p, [], True),
     "craze_mesh_new": (c_void_p, [c_void_p, c_int64, c_void_p, c_int64], True),
-    "craze_mesh_read": (c_void_p, [c_char_p], True),
+    "craze_mesh_read": (c_void_p, [c_char_p, PROGRESS, c_void_p], True),
+    "craze_mesh_warning": (c_char_p, [c_void_p, c_int64], False),
     "craze_mesh_shape": (c_void_p, [c_char_p], True),
     "craze_mesh_free": (None, [c_void_p], False),
     "craze_mesh_set": (c_int, [c_void_p, c_char_p, c_void_p, c_int64, c_int32], True),
+    "craze_mesh_set_materials": (c_int, [c_void_p, c_void_p, POINTER(c_char_p), c_int64], True),
     "craze_mesh_array": (c_int, [c_void_p, c_char_p, POINTER(CArray)], True),
     "craze_mesh_array_name": (c_char_p, [c_void_p, c_int64], False),
     "craze_mesh_material_name": (c_char_p, [c_void_p, c_int64], False),
-    "craze_mesh_write": (c_int, [c_void_p, c_char_p], True),
+    "craze_mesh_write": (c_int, [c_void_p, c_char_p, PROGRESS, c_void_p], True),
     "craze_mesh_fragment_count": (c_int64, [c_void_p], True),
     "craze_mesh_fragments": (c_int, [c_void_p, POINTER(c_void_p), c_int64], True),
     "craze_job_new": (c_void_p, [], False),
     "craze_job_free": (None, [c_void_p], False),
     "craze_job_set_mesh": (c_int, [c_void_p, c_void_p], True),
-    "craze_job_set_texture": (c_int, [c_void_p, c_char_p, POINTER(c_float), c_int64, c_int64], True),
+    "craze_job_set_texture": (
+        c_int,
+        [c_void_p, c_char_p, c_void_p, c_int, c_int64, c_int64, c_int32],
+        True,
+    ),
     "craze_job_set_preset": (c_int, [c_void_p, c_char_p], True),
     "craze_job_set_recipe": (c_int, [c_void_p, c_char_p, c_char_p], True),
     "craze_job_set": (c_int, [c_void_p, c_char_p, c_char_p], True),
@@ -78,6 +92,7 @@ _FUNCTIONS: dict[str, tuple[Any, list[Any], bool]] = {
     "craze_lines_array": (c_int, [c_void_p, c_char_p, POINTER(CArray)], True),
     "craze_lines_free": (None, [c_void_p], False),
     "craze_job_report": (c_void_p, [c_void_p], True),
+    "craze_job_summary": (c_void_p, [c_void_p], True),
     "craze_job_statistics": (c_void_p, [c_void_p], True),
     "craze_statistics": (
         c_void_p,
@@ -88,6 +103,7 @@ _FUNCTIONS: dict[str, tuple[Any, list[Any], bool]] = {
     "craze_opening_free": (None, [c_void_p], False),
     "craze_opening_mesh": (c_void_p, [c_void_p], True),
     "craze_opening_warning": (c_char_p, [c_void_p, c_int64], False),
+    "craze_opening_vertex_count": (c_int64, [c_void_p], False),
     "craze_opening_positions_at": (c_int, [c_void_p, c_double, c_void_p], True),
 }
 
@@ -125,14 +141,20 @@ def call(name: str, *arguments: Any) -> Any:
     return result
 
 
-def call_json(name: str, *arguments: Any) -> Any:
-    """The same for functions that return JSON."""
-    text = call(name, *arguments)
+def text_of(pointer: int) -> Any:
+    """The value of a JSON text that craze.h returned, which it frees."""
     try:
-        value = ctypes.cast(text, c_char_p).value
-        return json.loads(value.decode("utf-8")) if value is not None else None
+        return json.loads(ctypes.string_at(pointer).decode("utf-8"))
     finally:
-        call("craze_text_free", text)
+        call("craze_text_free", pointer)
+
+
+def listed(name: str, pointer: int) -> list[str]:
+    """What a function of craze.h says for i = 0, 1, … until it has no more."""
+    texts: list[str] = []
+    while (text := call(name, pointer, len(texts))) is not None:
+        texts.append(text.decode("utf-8", "replace"))
+    return texts
 
 
 class Handle:
@@ -140,12 +162,16 @@ class Handle:
 
     def __init__(self, pointer: int, free: str) -> None:
         self.pointer = pointer
-        self._free = free
+        self.lock = threading.Lock()  # held by whoever is at work on it
+        self._free = getattr(_loaded, free)
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a run lives in its process: copy or pickle its meshes, lines and report")
 
     def __del__(self) -> None:
-        if getattr(self, "pointer", None):
-            getattr(_loaded, self._free)(self.pointer)
-            self.pointer = 0
+        pointer, self.pointer = getattr(self, "pointer", 0), 0
+        if pointer:
+            self._free(pointer)
 
 
 class _View:
@@ -153,32 +179,70 @@ class _View:
 
     def __init__(self, handle: Handle, array: CArray) -> None:
         self.handle = handle
-        dtype = np.dtype(_DTYPES[array.type])
         self.__array_interface__ = {
             "version": 3,
             "shape": (array.rows, array.columns),
-            "typestr": dtype.str,
+            "typestr": _DTYPES[array.type].str,
             "data": (array.data, True),
         }
 
 
-def view(handle: Handle, array_of: str, name: str) -> np.ndarray:
+def view(handle: Handle, array_of: str, name: str) -> Array:
     """A read-only view (rows, columns) of a handle's array; nothing is copied."""
     array = CArray()
     call(array_of, handle.pointer, name.encode(), ctypes.byref(array))
     if array.rows == 0 or not array.data:
-        return np.empty((array.rows, array.columns), _DTYPES[array.type])
+        nothing = np.empty((array.rows, array.columns), _DTYPES[array.type])
+        nothing.flags.writeable = False
+        return nothing
     return np.asarray(_View(handle, array))
 
 
-def address(array: np.ndarray) -> int:
+def address(array: Array) -> int:
     """Of the first number; the array must be contiguous and outlive the call."""
     return int(array.ctypes.data)
 
 
 def path_bytes(path: Any) -> bytes:
     """A path of any kind as the C interface takes it."""
-    name = os.fsencode(path)
+    try:
+        name = os.fsencode(path)
+    except (TypeError, ValueError):
+        raise Error(f"wrong path ({shown(path)}): must be a text or path") from None
     if b"\0" in name:
-        raise Error(f"wrong path ({path!r}): it holds a zero byte", "usage")
+        raise Error(f"wrong path ({shown(path)}): it holds a zero byte")
     return name
+
+
+def text_bytes(text: Any, what: str) -> bytes:
+    """A text as the C interface takes it."""
+    if isinstance(text, str) and "\0" not in text:
+        try:
+            return text.encode()
+        except UnicodeEncodeError:
+            pass
+    raise Error(f"wrong {what} ({shown(text)}): must be a text, without zero bytes")
+
+
+def whole(value: Any, what: str, low: int, high: int) -> int:
+    """A whole number of any type; floats are none."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        number = low - 1
+    if not low <= number <= high:
+        raise Error(f"wrong {what} ({shown(value)}): must be a whole number in [{low}, {high}]")
+    return number
+
+
+def real(value: Any, what: str) -> float:
+    """A number of any type."""
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise Error(f"wrong {what} ({shown(value)}): must be a number") from None
+
+
+def shown(value: Any) -> str:
+    """Any value in a few words, for messages."""
+    return reprlib.repr(value)

@@ -2,53 +2,16 @@
 
 from __future__ import annotations
 
+import ctypes
+import os
 from typing import Any, Mapping
 
 import numpy as np
+import numpy.typing as npt
 
-from ._library import Error, Handle, address, call, path_bytes, view
-
-
-def _rows(values: Any, columns: int, what: str) -> np.ndarray:
-    array = np.asarray(values)
-    if array.size == 0:
-        array = array.reshape(0, columns)
-    if array.ndim != 2 or array.shape[1] != columns or array.dtype.kind not in "biuf":
-        raise Error(f"wrong {what} (shape {array.shape}, {array.dtype}): must be (n, {columns}) numbers")
-    return array
-
-
-def _vertices(values: Any) -> np.ndarray:
-    return np.ascontiguousarray(_rows(values, 3, "vertices"), np.float64)
-
-
-def _faces(values: Any, vertices: int) -> np.ndarray:
-    faces = _rows(values, 3, "faces")
-    if faces.dtype.kind not in "biu":
-        if not np.array_equal(faces, np.trunc(faces)):
-            raise Error("wrong faces (not whole numbers): must be vertex indices")
-    if faces.size and (faces.min() < 0 or faces.max() >= vertices):
-        raise Error(
-            f"wrong faces ({int(faces.min())} to {int(faces.max())}): "
-            f"must be vertex indices, 0 to {vertices - 1}"
-        )
-    return np.ascontiguousarray(faces, np.int32)
-
-
-def _corner_uv(uv: Any, faces: np.ndarray, vertices: int) -> np.ndarray:
-    """(m, 3, 2) of UVs per corner, or per vertex."""
-    array = np.asarray(uv, np.float64)
-    count = len(faces)
-    if array.shape == (count, 3, 2):
-        return np.ascontiguousarray(array)
-    if array.shape == (vertices, 2):
-        return np.ascontiguousarray(array[faces])
-    if array.shape == (3 * count, 2):
-        return np.ascontiguousarray(array.reshape(count, 3, 2))
-    raise Error(
-        f"wrong uv (shape {array.shape}): must be ({count}, 3, 2), one per corner of each face, "
-        f"or ({vertices}, 2), one per vertex"
-    )
+from . import _arrays
+from ._library import Array, Handle, address, call, listed, path_bytes, text_bytes, view
+from ._watch import watched
 
 
 class Mesh:
@@ -61,143 +24,178 @@ class Mesh:
     vertices : (n, 3) float64, in the unit of the mesh
     faces : (m, 3) int32, vertex indices, counter-clockwise seen from outside
     uv : (m, 3, 2) float64, per corner of each face, or None
-    vertex_attributes : {name: (n,) or (n, k) array}
-    face_attributes : {name: (m,) or (m, k) array}
-    textures : {name: (height, width) array}, grey pictures that a recipe names, row 0 on top,
-        0 … 1, or 0 … 255 for uint8
+    normals : (m, 3, 3) float64, unit, per corner of each face, or None
+    vertex_attributes : {name: (n,) or (n, k) array}; "color" is linear RGBA, 0 … 1
+    face_attributes : {name: (m,) or (m, k) array}; "material" counts material_names, −1: none
+    material_names : names of the materials
+    textures : {name: (height, width) or (height, width, channels) array}, pictures that a recipe
+        names, row 0 on top: uint8, uint16, or floats in 0 … 1. Colours count by their luminance
+    warnings : what was left out of the file that it was read from, a sentence each
 
-    Arrays that craze made are read-only; assign a new one to change it.
+    Arrays that craze made are read-only, and views of its memory: assign a new array to change
+    one. Arrays of yours that have the dtype above are used as they are, not copied; what you write
+    to them counts from the next run on.
     """
 
     def __init__(
         self,
-        vertices: Any,
-        faces: Any,
-        uv: Any = None,
-        vertex_attributes: Mapping[str, Any] | None = None,
-        face_attributes: Mapping[str, Any] | None = None,
-        textures: Mapping[str, Any] | None = None,
+        vertices: npt.ArrayLike,
+        faces: npt.ArrayLike,
+        uv: npt.ArrayLike | None = None,
+        vertex_attributes: Mapping[str, npt.ArrayLike] | None = None,
+        face_attributes: Mapping[str, npt.ArrayLike] | None = None,
+        textures: Mapping[str, npt.ArrayLike] | None = None,
     ) -> None:
         """Any dtype and stride. `uv` per corner, (m, 3, 2), or per vertex, (n, 2).
 
         Raises Error for shapes that do not fit and indices that are not vertices.
         """
-        self.vertices: np.ndarray = _vertices(vertices)
-        self.faces: np.ndarray = _faces(faces, len(self.vertices))
-        self.uv: np.ndarray | None = (
-            None if uv is None else _corner_uv(uv, self.faces, len(self.vertices))
+        self.vertices: npt.NDArray[np.float64] = _arrays.points(vertices, "vertices")
+        count = len(self.vertices)
+        self.faces: npt.NDArray[np.int32] = _arrays.indices(faces, 3, count, "faces")
+        self.uv: npt.NDArray[np.float64] | None = (
+            None if uv is None else _arrays.corners(uv, 2, self.faces, count, "uv")
         )
+        self.normals: npt.NDArray[np.float64] | None = None
         self.vertex_attributes: dict[str, Any] = dict(vertex_attributes or {})
         self.face_attributes: dict[str, Any] = dict(face_attributes or {})
+        self.material_names: list[str] = []
         self.textures: dict[str, Any] = dict(textures or {})
+        self.warnings: list[str] = []
+        self._source_faces: Array | None = None  # the polygon of the file of each face
         self._handle: Handle | None = None
-        self._made_of: tuple[Any, ...] = ()
+        self._made_of: list[Any] = []
 
     def __repr__(self) -> str:
         return f"<craze.Mesh of {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Copies and pickles have the arrays, and make a handle of their own."""
+        return {**self.__dict__, "_handle": None, "_made_of": []}
+
     @classmethod
-    def _from_pointer(cls, pointer: int) -> Mesh:
-        handle = Handle(pointer, "craze_mesh_free")
-        mesh = cls.__new__(cls)
-        mesh.uv = None
-        mesh.vertex_attributes, mesh.face_attributes, mesh.textures = {}, {}, {}
-        i = 0
-        while (name := call("craze_mesh_array_name", pointer, i)) is not None:
-            i += 1
-            text = name.decode()
-            array = view(handle, "craze_mesh_array", text)
-            if text == "vertices":
-                mesh.vertices = array
-            elif text == "faces":
-                mesh.faces = array
-            elif text == "uv":
-                mesh.uv = array.reshape(-1, 3, 2)
-            elif text == "colors":
-                mesh.vertex_attributes["color"] = array
-            elif text == "materials":
-                mesh.face_attributes["material"] = array[:, 0]
-            elif text.startswith("vertex:"):
-                mesh.vertex_attributes[text[7:]] = array[:, 0] if array.shape[1] == 1 else array
-            elif text.startswith("face:"):
-                mesh.face_attributes[text[5:]] = array[:, 0] if array.shape[1] == 1 else array
+    def _of(cls, handle: Handle) -> Mesh:
+        arrays = {
+            name: view(handle, "craze_mesh_array", name)
+            for name in listed("craze_mesh_array_name", handle.pointer)
+        }
+        mesh = cls(arrays.pop("vertices"), arrays.pop("faces"))
+        if "uv" in arrays:
+            mesh.uv = arrays["uv"].reshape(-1, 3, 2)
+        if "normals" in arrays:
+            mesh.normals = arrays["normals"].reshape(-1, 3, 3)
+        if "colors" in arrays:
+            mesh.vertex_attributes["color"] = arrays["colors"]
+        if "materials" in arrays:
+            mesh.face_attributes["material"] = arrays["materials"][:, 0]
+        if "source_faces" in arrays:
+            mesh._source_faces = arrays["source_faces"]
+        for name, array in arrays.items():
+            kind, _, own = name.partition(":")
+            if own:
+                of = mesh.vertex_attributes if kind == "vertex" else mesh.face_attributes
+                of[own] = array[:, 0] if array.shape[1] == 1 else array
+        mesh.material_names = listed("craze_mesh_material_name", handle.pointer)
+        mesh.warnings = listed("craze_mesh_warning", handle.pointer)
         mesh._handle = handle
-        mesh._made_of = mesh._state()
+        mesh._made_of = mesh._parts()
         return mesh
 
-    def _state(self) -> tuple[Any, ...]:
-        """What a handle was made of: as long as it is the same, the handle stands for the mesh."""
-        return (
-            id(self.vertices),
-            id(self.faces),
-            id(self.uv),
-            tuple((k, id(v)) for k, v in self.vertex_attributes.items()),
-            tuple((k, id(v)) for k, v in self.face_attributes.items()),
-        )
+    def _parts(self) -> list[Any]:
+        """What a handle is made of."""
+        parts: list[Any] = [self.vertices, self.faces, self.uv, self.normals]
+        for attributes in (self.vertex_attributes, self.face_attributes):
+            parts.append(len(attributes))
+            for name, values in attributes.items():
+                parts += [name, values]
+        return parts + self.material_names
 
     def _as_handle(self) -> Handle:
-        """For the C interface. Arrays of the user's may have been written to, so they are taken
-        anew each time."""
-        untouched = self._handle is not None and self._made_of == self._state()
-        if self._handle is not None and untouched:
-            return self._handle
-        vertices = _vertices(self.vertices)
-        faces = _faces(self.faces, len(vertices))
-        pointer = call(
-            "craze_mesh_new", address(vertices), len(vertices), address(faces), len(faces)
+        """For the C interface: that of its own as long as it has the same arrays, which are
+        read-only then; arrays of the user's are taken anew each time."""
+        if self._handle is not None:
+            parts = self._parts()
+            same = len(parts) == len(self._made_of) and all(
+                a is b or (isinstance(a, (str, int)) and a == b)
+                for a, b in zip(parts, self._made_of)
+            )
+            if same:
+                return self._handle
+        return self._new_handle()
+
+    def _new_handle(self) -> Handle:
+        vertices = _arrays.points(self.vertices, "vertices")
+        n = len(vertices)
+        faces = _arrays.indices(self.faces, 3, n, "faces")
+        m = len(faces)
+        handle = Handle(
+            call("craze_mesh_new", address(vertices), n, address(faces), m), "craze_mesh_free"
         )
-        handle = Handle(pointer, "craze_mesh_free")
+
+        def set_array(name: str, values: Array) -> None:
+            count, columns = values.shape
+            key = text_bytes(name, "attribute")
+            call("craze_mesh_set", handle.pointer, key, address(values), count, columns)
+
         if self.uv is not None:
-            _set(handle, "uv", _corner_uv(self.uv, faces, len(vertices)).reshape(-1, 2))
+            set_array("uv", _arrays.corners(self.uv, 2, faces, n, "uv").reshape(-1, 2))
+        if self.normals is not None:
+            normals = _arrays.corners(self.normals, 3, faces, n, "normals")
+            set_array("normals", normals.reshape(-1, 3))
+        if self._source_faces is not None and len(self._source_faces) == m:
+            set_array("source_faces", np.ascontiguousarray(self._source_faces, np.float64))
         for name, values in self.vertex_attributes.items():
-            _set(handle, f"vertex:{name}", _attribute(values, len(vertices), name))
+            set_array(f"vertex:{name}", _arrays.attribute(values, n, f"attribute {name}"))
         for name, values in self.face_attributes.items():
-            _set(handle, f"face:{name}", _attribute(values, len(faces), name))
+            if name == "material" and self.material_names:
+                _set_materials(handle, values, m, self.material_names)
+            else:
+                set_array(f"face:{name}", _arrays.attribute(values, m, f"attribute {name}"))
         return handle
 
-    def write(self, path: Any) -> None:
+    def write(self, path: str | bytes | os.PathLike[Any]) -> None:
         """Writes .ply, .obj, .stl or .glb: the whole file or none. Raises Error."""
-        call("craze_mesh_write", self._as_handle().pointer, path_bytes(path))
+        handle, name = self._as_handle(), path_bytes(path)
+        watched(
+            lambda callback: call("craze_mesh_write", handle.pointer, name, callback, None),
+            finish=True,
+        )
 
     def fragments(self) -> list[Mesh]:
         """The parts by the face attribute `fragment`, in order. Raises Error where there is none."""
-        import ctypes
-
         handle = self._as_handle()
-        count = call("craze_mesh_fragment_count", handle.pointer)
-        pointers = (ctypes.c_void_p * count)()
-        call("craze_mesh_fragments", handle.pointer, pointers, count)
-        return [Mesh._from_pointer(p) for p in pointers if p is not None]
+
+        def cut(_: Any) -> list[Handle]:
+            count = call("craze_mesh_fragment_count", handle.pointer)
+            pointers = (ctypes.c_void_p * count)()
+            call("craze_mesh_fragments", handle.pointer, pointers, count)
+            return [Handle(p, "craze_mesh_free") for p in pointers if p]
+
+        return [Mesh._of(piece) for piece in watched(cut)]
 
 
-def _attribute(values: Any, rows: int, name: str) -> np.ndarray:
-    array = np.asarray(values)
-    if array.ndim == 1:
-        array = array.reshape(-1, 1)
-    if array.ndim != 2 or len(array) != rows or array.dtype.kind not in "biuf":
-        raise Error(
-            f"wrong attribute {name} (shape {array.shape}, {array.dtype}): "
-            f"must be ({rows},) or ({rows}, k) numbers"
-        )
-    return np.ascontiguousarray(array, np.float64)
-
-
-def _set(handle: Handle, name: str, values: np.ndarray) -> None:
+def _set_materials(handle: Handle, values: Any, faces: int, names: list[str]) -> None:
+    column = _arrays.attribute(values, faces, "attribute material")
+    indices = _arrays.indices(column + 1, 1, len(names) + 1, "attribute material") - np.int32(1)
+    texts = [text_bytes(name, "name of a material") for name in names]
     call(
-        "craze_mesh_set",
+        "craze_mesh_set_materials",
         handle.pointer,
-        name.encode(),
-        address(values),
-        values.shape[0],
-        values.shape[1],
+        address(indices),
+        (ctypes.c_char_p * len(texts))(*texts),
+        len(texts),
     )
 
 
-def read(path: Any) -> Mesh:
+def read(path: str | bytes | os.PathLike[Any]) -> Mesh:
     """A mesh from a file: .obj .ply .stl .off .gltf .glb. Raises Error."""
-    return Mesh._from_pointer(call("craze_mesh_read", path_bytes(path)))
+    name = path_bytes(path)
+    return Mesh._of(
+        watched(lambda ask: Handle(call("craze_mesh_read", name, ask, None), "craze_mesh_free"))
+    )
 
 
 def shape(specification: str) -> Mesh:
     """A built-in shape: "plate?n=60&jitter=0.3", "cup", "sphere?n=40" … Raises Error."""
-    return Mesh._from_pointer(call("craze_mesh_shape", specification.encode()))
+    text = text_bytes(specification, "shape")
+    return Mesh._of(watched(lambda _: Handle(call("craze_mesh_shape", text), "craze_mesh_free")))

@@ -13,6 +13,7 @@
 #include "craze/recipe/json_table.h"
 #include "craze/recipe/nearest_name.h"
 #include "craze/recipe/parameter_table.h"
+#include "craze/recipe/set_key.h"
 
 namespace craze {
 
@@ -222,24 +223,28 @@ Recipe read_recipe_file(const std::string& path, const Recipe& base) {
   return read_recipe(text, path, base);
 }
 
-void apply_set(Recipe& recipe, const std::string& assignment) {
-  std::string where = "--set " + assignment;
-  const auto equals = assignment.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    fail("not a setting", where, "write --set key=value");
-  }
-  const std::string key = assignment.substr(0, equals);
+void set_key(Recipe& recipe, const std::string& key, const std::string& value,
+             const std::string& where) {
   const Target target = find_target(recipe, key, where);
   const Parameter* p = find_parameter(target.key);
   if (!p) fail_unknown(target.key, where);
-  const toml::table table = parse_setting(*p, assignment.substr(equals + 1), where);
+  const toml::table table = parse_setting(*p, value, where);
   Recipe changed = recipe;
   if (p->repeated() && target.index == changed.simulation.impacts.size()) {
     changed.simulation.impacts.emplace_back();
   }
   set_node(changed, *p, target.index, *table.get("value"), key,
-           [&](const toml::node&) -> std::string { return {where}; });
+           [&](const toml::node&) { return where; });
   recipe = std::move(changed);
+}
+
+void apply_set(Recipe& recipe, const std::string& assignment) {
+  const std::string where = "--set " + assignment;
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    fail("not a setting", where, "write --set key=value");
+  }
+  set_key(recipe, assignment.substr(0, equals), assignment.substr(equals + 1), where);
 }
 
 }  // namespace craze

@@ -1,0 +1,62 @@
+"""Recipes as users give them: a preset, a file, a dict, single keys."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Mapping
+
+import numpy as np
+
+from ._library import Error, Handle, call, path_bytes, shown, text_bytes
+
+_SIZE_LIMIT = 1 << 20  # bytes of a recipe; the C interface refuses more
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (np.generic, np.ndarray)):
+        return value.tolist()
+    raise TypeError
+
+
+def _value_text(key: str, value: Any) -> bytes:
+    try:
+        return json.dumps(value, ensure_ascii=False, allow_nan=False, default=_plain).encode()
+    except (TypeError, ValueError, RecursionError):
+        raise Error(
+            f"wrong value of {key} ({shown(value)}): must be finite numbers, texts or lists"
+        ) from None
+
+
+def _is_path(recipe: Any) -> bool:
+    if isinstance(recipe, str):
+        return os.sep in recipe or recipe.endswith((".toml", ".json"))
+    return isinstance(recipe, (bytes, os.PathLike))
+
+
+def set_recipe(job: Handle, recipe: Any) -> None:
+    """The whole recipe."""
+    if isinstance(recipe, Mapping):
+        text = _value_text("the recipe", dict(recipe))
+        call("craze_job_set_recipe", job.pointer, text, b"recipe")
+    elif _is_path(recipe):
+        name = path_bytes(recipe)
+        try:
+            with open(name, "rb") as file:
+                text = file.read(_SIZE_LIMIT + 1)
+        except OSError as e:
+            raise Error(f"cannot read the recipe ({os.fsdecode(name)}): {e.strerror}", "input") from None
+        if b"\0" in text:
+            raise Error(f"not a recipe ({os.fsdecode(name)}): it holds a zero byte")
+        call("craze_job_set_recipe", job.pointer, text, name)
+    elif isinstance(recipe, str):
+        call("craze_job_set_preset", job.pointer, text_bytes(recipe, "preset"))
+    else:
+        raise Error(
+            f"wrong recipe ({shown(recipe)}): must be the name of a preset, a path, or a dict"
+        )
+
+
+def set_key(job: Handle, key: str, value: Any) -> None:
+    """One key, on top of what is set."""
+    call("craze_job_set", job.pointer, text_bytes(key, "key"), _value_text(key, value))

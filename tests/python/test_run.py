@@ -1,0 +1,209 @@
+"""A run from Python: the contract of the package."""
+
+import json
+import pathlib
+import subprocess
+import tempfile
+import time
+import unittest
+
+import numpy as np
+
+import craze
+from craze._library import call
+from small import COMMAND, KEEP, SOURCE, Case, cracked, plate
+
+
+class Recipes(Case):
+    def test_presets_and_parameters_are_those_of_the_recipes(self):
+        presets = craze.presets()
+        files = {path.stem for path in (SOURCE / "recipes").glob("*.toml")}
+        self.assertEqual(set(presets), files)
+        keys = {p["key"] for p in craze.parameters()}
+        self.assertIn("layer.spacing", keys)
+        for name in presets["mud"]["layer"]:
+            self.assertIn(f"layer.{name}", keys)
+        for parameter in craze.parameters():
+            self.assertGreaterEqual(set(parameter), {"key", "type", "default", "unit", "help"})
+
+    def test_a_preset_its_dict_and_a_file_of_it_are_the_same(self):
+        wanted = craze.crack(plate(), "mud", max_cracks=5, **KEEP).mesh
+        recipe = craze.presets()["mud"]
+        self.assert_same(craze.crack(plate(), recipe, max_cracks=5, **KEEP).mesh, wanted)
+        file = SOURCE / "recipes/mud.toml"
+        for path in (file, str(file)):
+            self.assert_same(craze.crack(plate(), path, max_cracks=5, **KEEP).mesh, wanted)
+
+    def test_numbers_of_any_kind_are_keys_values(self):
+        a = cracked(**{"material.alpha": np.float32(0.5), "material.toughness": np.int16(3)})
+        recipe = {"material": {"alpha": np.float64(0.5)}, "mesh": {"edge": "keep"}}
+        self.assertEqual(a.report["recipe"]["material"]["alpha"], 0.5)
+        b = craze.crack(plate(), recipe, seed=np.uint8(3), max_cracks=1)
+        self.assertEqual(b.report["seed"], 3)
+
+    def test_wrong_keys_and_values_say_which_and_why(self):
+        loop = {}
+        loop["layer"] = loop
+        deep = []
+        for _ in range(100000):
+            deep = [deep]
+        for words, recipe, settings in (
+            ("did you mean layer.spacing", "mud", {"layer.spacin": 1}),
+            ("layer.spacing = -1 .*at least", "mud", {"layer.spacing": -1}),
+            ("layer.spacing .*finite", "mud", {"layer.spacing": float("nan")}),
+            ("layer.spacing", "mud", {"layer.spacing": None}),
+            ("layer.spacing", "mud", {"layer.spacing": [deep]}),
+            ("layer.spacing", "mud", {"layer.spacing": object()}),
+            ("wrong key", "mud", {"seed\0": 1}),
+            ("did you mean mud", "mudd", {}),
+            ("zero bytes", "mud\0", {}),
+            ("wrong preset", "\udcff", {}),
+            ("wrong recipe", 3, {}),
+            ("unknown key", {"layer": {"thick": 1}}, {}),
+            ("the recipe", loop, {}),
+            ("wrong type", {"layer": 1}, {}),
+        ):
+            with self.subTest(words):
+                self.assert_error(words, "usage", craze.crack, plate(), recipe, **settings)
+        self.assert_error("nowhere.toml", "input", craze.crack, plate(), "nowhere.toml")
+        self.assert_error("mud", "input", craze.crack, plate(), pathlib.Path("mud"))
+
+    def test_wrong_numbers_are_refused_and_not_rounded(self):
+        for name, values in (
+            ("seed", (-1, 2**70, 1.5, "7")), ("threads", (-1, 2**40, 1.0)),
+            ("max_cracks", (-1, 2**70, 2.5)), ("progress", (3, "print")),
+        ):
+            for value in values:
+                with self.subTest(name, value=value):
+                    self.assert_error(name, "usage", craze.crack, plate(), "mud", **{name: value})
+
+
+class Products(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.result = cracked(**{"post.gap": 0.1, "post.wall": 0.02})
+
+    def test_the_same_seed_gives_the_same_bytes_on_any_number_of_threads(self):
+        other = craze.crack(plate(), "mud", 7, threads=3, max_cracks=12,
+                            **{**KEEP, "post.gap": 0.1, "post.wall": 0.02})
+        self.assert_same(other.mesh, self.result.mesh)
+        self.assertFalse(np.array_equal(
+            craze.crack(plate(), "mud", 8, max_cracks=12, **KEEP).mesh.vertices,
+            cracked().mesh.vertices))
+
+    def test_shapes_and_types_are_as_the_docstrings_say(self):
+        mesh, lines = self.result.mesh, self.result.lines
+        n, m, p, e = len(mesh.vertices), len(mesh.faces), len(lines.points), len(lines.edges)
+        for array, shape, dtype in (
+            (mesh.vertices, (n, 3), "f8"), (mesh.faces, (m, 3), "i4"), (mesh.uv, (m, 3, 2), "f8"),
+            (mesh.vertex_attributes["crack_distance"], (n,), "f8"),
+            (mesh.vertex_attributes["crack_time"], (n,), "f8"),
+            (mesh.vertex_attributes["crack_growth"], (n,), "f8"),
+            (mesh.vertex_attributes["displacement"], (n, 3), "f8"),
+            (mesh.face_attributes["fragment"], (m,), "f8"),
+            (mesh.face_attributes["source_face"], (m,), "f8"),
+            (lines.points, (p, 3), "f8"), (lines.edges, (e, 2), "i4"), (lines.time, (e,), "f8"),
+            (lines.width, (e,), "f8"), (lines.event, (e,), "f8"), (lines.junction, (p,), "f8"),
+            (lines.normal, (p, 3), "f8"), (lines.uv, (e, 2, 2), "f8"),
+        ):
+            self.assertEqual(array.shape, shape)
+            self.assertEqual(array.dtype, np.dtype(dtype))
+            self.assertFalse(array.flags.writeable)
+            with self.assertRaises(ValueError):
+                array.flags.writeable = True
+        self.assertGreater(e, 0)
+        self.assertLess(lines.edges.max(), p)
+
+    def test_opening_twice_cracks_once_and_growth_ends_at_the_opened_mesh(self):
+        opened = self.result.opened()
+        self.assertTrue(np.array_equal(self.result.positions_at(1), opened.vertices))
+        self.assertGreater(len(opened.vertices), len(self.result.mesh.vertices))
+        wide = self.result.opened(gap=0.2)
+        self.assertFalse(np.array_equal(wide.vertices, opened.vertices))
+        self.assertTrue(np.array_equal(self.result.opened().vertices, opened.vertices))
+        start = self.result.positions_at(0)
+        self.assertEqual(start.shape, opened.vertices.shape)
+        self.assertFalse(np.array_equal(start, opened.vertices))
+        self.assertIsInstance(self.result.warnings(), list)
+        for t in (-0.1, 1.5, float("nan")):
+            self.assert_error("time", "usage", self.result.positions_at, t)
+        self.assert_error("wrong time", "usage", self.result.positions_at, "soon")
+        self.assert_error("gap", "request", self.result.opened, gap=float("nan"))
+        self.assert_error("wrong gap", "usage", self.result.opened, gap="wide")
+
+    def test_fragments_are_the_mesh_in_pieces(self):
+        pieces = self.result.fragments()
+        fragment = self.result.mesh.face_attributes["fragment"]
+        self.assertEqual([len(p.faces) for p in pieces],
+                         [np.count_nonzero(fragment == i) for i in np.unique(fragment)])
+        self.assert_error("fragment", "request", plate().fragments)
+
+    def test_statistics_are_part_of_the_report(self):
+        # A number that is not there is null in one and NaN in the other nowhere.
+        self.assertEqual(self.result.stats(), self.result.report["statistics"])
+        lines = self.result.lines
+        of_lines = craze.stats(lines.points[:, :2], lines.edges, lines.time)
+        self.assertEqual(of_lines["crack_length"], self.result.stats()["crack_length"])
+        self.assertEqual(craze.crack(plate(), "mud", max_cracks=0, **KEEP).stats(), {})
+
+    def test_lines_that_are_none_are_refused(self):
+        points, edges = [[0, 0], [1, 0], [0, 1]], [[0, 1], [1, 2]]
+        for words, *given in (
+            ("points", [[0]], edges), ("points", "text", edges), ("edges", points, [[0, 3]]),
+            ("edges", points, [[0, -1]]), ("edges", points, [[0, 2**40]]),
+            ("edges", points, [[0.5, 1]]), ("edges", points, [[np.nan, 1]]),
+            ("time", points, edges, [1]), ("time", points, edges, [0, np.nan]),
+            ("simplify", points, edges, None, -1), ("simplify", points, edges, None, "much"),
+            ("point", [[0, 0], [1, np.inf], [0, 1]], edges),
+        ):
+            with self.subTest(words):
+                self.assert_error(words, "usage", craze.stats, *given)
+
+
+class Command(Case):
+    @unittest.skipUnless(COMMAND, "the command is not built")
+    def test_the_files_and_the_report_are_those_of_the_command(self):
+        settings = {"mesh.edge": "keep", "post.gap": 0.08, "post.wall": 0.02, "post.curl": 0.3}
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.ply", "a.obj", "a.stl", "a.glb"):
+                theirs, ours = f"{folder}/theirs_{name}", f"{folder}/ours_{name}"
+                sets = [word for key, value in settings.items()
+                        for word in ("--set", f"{key}={value}")]
+                subprocess.run(
+                    [COMMAND, "crack", "shape:plate?n=8&jitter=0.3", "--preset", "mud", "--seed",
+                     "7", "-o", theirs, "--report", f"{folder}/report.json", *sets], check=True,
+                    stderr=subprocess.DEVNULL)
+                result = craze.crack(craze.shape("plate?n=8&jitter=0.3"), "mud", 7, **settings)
+                result.write(ours)
+                self.assertEqual(pathlib.Path(ours).read_bytes(),
+                                 pathlib.Path(theirs).read_bytes(), name)
+            report = json.loads(pathlib.Path(folder, "report.json").read_text())
+        self.assertEqual(set(result.report), set(report))
+        for key in ("seed", "recipe", "cracks", "simulation", "statistics", "stop_reason", "load"):
+            self.assertEqual(result.report[key], report[key], key)
+
+
+class Overhead(Case):
+    """By processor time: that of a clock has other programs in it."""
+
+    def least(self, call):
+        times = []
+        for _ in range(5):
+            start = time.process_time()
+            call()
+            times.append(time.process_time() - start)
+        return min(times)
+
+    def test_a_run_of_20000_triangles_costs_20_ms_more_than_in_c(self):
+        shape = plate(100)
+        mesh = craze.Mesh(np.array(shape.vertices), np.array(shape.faces))
+        self.assertEqual(len(mesh.faces), 20000)
+        result = craze.crack(mesh, "mud", threads=1, max_cracks=2, **KEEP)
+        in_c = self.least(lambda: call("craze_job_run", result._job.pointer))
+        in_python = self.least(lambda: craze.crack(mesh, "mud", threads=1, max_cracks=2, **KEEP))
+        print(f"{1000 * (in_python - in_c):.1f} ms over {1000 * in_c:.0f} ms")
+        self.assertLess(in_python - in_c, 0.02)
+
+
+if __name__ == "__main__":
+    unittest.main()
