@@ -1,6 +1,7 @@
 // craze check MESH: what a mesh is, and what repair would do to it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +10,7 @@
 #include "craze/mesh/mesh_summary.h"
 #include "craze/products/report_json.h"
 #include "craze/repair.h"
+#include "part_boxes.h"
 
 namespace craze::app {
 
@@ -26,15 +28,79 @@ std::vector<std::string> extras(const SurfaceMesh& mesh) {
   return names;
 }
 
-std::string as_text(const SurfaceMesh& input, const MeshSummary& s, const RepairReport& repair) {
+using Box = Eigen::AlignedBox3d;
+
+/// What check says.
+struct Checked {
+  const SurfaceMesh& input;
+  RepairReport repair;
+  MeshSummary summary;         ///< of the repaired mesh,
+  std::vector<PartBox> parts;  ///< and its parts
+
+  Box box() const {
+    Box whole;
+    for (const PartBox& part : parts) whole.extend(part.box);
+    return whole;
+  }
+};
+
+Checked check(const SurfaceMesh& input) {
+  Checked checked{input, {}, {}, {}};
+  const SurfaceMesh repaired = repair(input, {}, checked.repair);
+  const TriangleMesh mesh(repaired.positions, repaired.triangles);
+  checked.summary = summarize(mesh);
+  checked.parts = part_boxes(mesh);
+  return checked;
+}
+
+std::string numbers(const Vec3& v, const char* between) {
+  return fmt::format("{:.6g}{}{:.6g}{}{:.6g}", v.x(), between, v.y(), between, v.z());
+}
+
+std::string box_text(const Box& box) {
+  return fmt::format("box ({}) to ({}), size {}", numbers(box.min(), ", "),
+                     numbers(box.max(), ", "), numbers(box.sizes(), " x "));
+}
+
+std::string parts_text(const std::vector<PartBox>& parts) {
+  constexpr std::size_t most_lines = 20;
+  if (parts.size() < 2) return "";
+  std::string text;
+  for (std::size_t i = 0; i < std::min(parts.size(), most_lines); ++i) {
+    text +=
+        fmt::format("part {}: {} triangles, {}\n", i, parts[i].triangles, box_text(parts[i].box));
+  }
+  if (parts.size() > most_lines) {
+    text += fmt::format("and {} more parts; --json has all\n", parts.size() - most_lines);
+  }
+  return text;
+}
+
+nlohmann::ordered_json box_json(const Box& box) {
+  const auto json = [](const Vec3& v) { return nlohmann::json{v.x(), v.y(), v.z()}; };
+  return {{"low", json(box.min())}, {"high", json(box.max())}, {"size", json(box.sizes())}};
+}
+
+nlohmann::ordered_json parts_json(const std::vector<PartBox>& parts) {
+  nlohmann::ordered_json list = nlohmann::json::array();
+  for (const PartBox& part : parts) {
+    list.push_back({{"triangles", part.triangles}, {"box", box_json(part.box)}});
+  }
+  return list;
+}
+
+std::string as_text(const Checked& checked) {
+  const SurfaceMesh& input = checked.input;
+  const MeshSummary& s = checked.summary;
   std::string text =
       fmt::format("{} vertices, {} triangles\n", input.positions.size(), input.triangles.size());
-  const std::string repairs = repair.text();
+  const std::string repairs = checked.repair.text();
   text += repairs.empty() ? "nothing to repair\n" : "repair: " + repairs + "\n";
   text += fmt::format("after repair: {} vertices, {} triangles, {} component(s), {}\n", s.vertices,
                       s.faces, s.components,
                       s.closed() ? fmt::format("closed, genus {}", s.genus)
                                  : fmt::format("{} boundary loop(s)", s.boundary_loops));
+  if (!checked.parts.empty()) text += box_text(checked.box()) + "\n" + parts_text(checked.parts);
   text += fmt::format("area {:.6g}, diagonal {:.6g}, edges {:.4g} to {:.4g}, mean {:.4g}\n", s.area,
                       s.diagonal, s.edge_min, s.edge_max, s.edge_mean);
   if (s.closed()) text += fmt::format("volume {:.6g}\n", s.volume);
@@ -44,13 +110,17 @@ std::string as_text(const SurfaceMesh& input, const MeshSummary& s, const Repair
   return text + "attributes: " + (list.empty() ? "none" : list) + "\n";
 }
 
-nlohmann::ordered_json as_json(const SurfaceMesh& input, const MeshSummary& s,
-                               const RepairReport& repair) {
+nlohmann::ordered_json as_json(const Checked& checked) {
+  const SurfaceMesh& input = checked.input;
+  const MeshSummary& s = checked.summary;
+  const Box whole = checked.box();
   return {{"input", {{"vertices", input.positions.size()}, {"triangles", input.triangles.size()}}},
           {"repaired",
            {{"vertices", s.vertices},
             {"triangles", s.faces},
             {"components", s.components},
+            {"box", whole.isEmpty() ? nlohmann::ordered_json() : box_json(whole)},
+            {"parts", parts_json(checked.parts)},
             {"boundary_loops", s.boundary_loops},
             {"euler_characteristic", s.euler_characteristic},
             {"closed", s.closed()},
@@ -62,8 +132,8 @@ nlohmann::ordered_json as_json(const SurfaceMesh& input, const MeshSummary& s,
             {"edge_mean", s.edge_mean},
             {"edge_max", s.edge_max},
             {"worst_aspect", s.worst_aspect}}},
-          {"repair", repair_to_json(repair)},
-          {"sound", !repair.defects()},
+          {"repair", repair_to_json(checked.repair)},
+          {"sound", !checked.repair.defects()},
           {"attributes", extras(input)}};
 }
 
@@ -86,12 +156,9 @@ void add_check(CLI::App& app, Action& action) {
       "  craze check scan.stl --json | jq .repair");
   verb->callback([options, &action] {
     action = [options] {
-      const SurfaceMesh input = load_surface(options->input);
-      RepairReport report;
-      const SurfaceMesh repaired = repair(input, {}, report);
-      const MeshSummary summary = summarize(TriangleMesh(repaired.positions, repaired.triangles));
-      if (!options->json) return print(as_text(input, summary, report));
-      return print(as_json(input, summary, report).dump(2) + "\n");
+      const SurfaceMesh input = load_surface(options->input).mesh;
+      const Checked checked = check(input);
+      return print(options->json ? as_json(checked).dump(2) + "\n" : as_text(checked));
     };
   });
 }

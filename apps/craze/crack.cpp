@@ -7,7 +7,7 @@
 #include "craze/presets.h"
 #include "error_line.h"
 #include "interrupt.h"
-#include "progress_line.h"
+#include "run_options.h"
 
 namespace craze::app {
 
@@ -17,8 +17,8 @@ struct Options {
   RunRequest request;
   std::string preset, recipe, seed, material;
   std::vector<std::string> settings;
-  int threads = 0;
-  bool quiet = false;
+  RunOptions run;
+  bool no_warnings = false;
 };
 
 // What a bare `craze crack INPUT -o OUT` makes.
@@ -43,18 +43,11 @@ Recipe build_recipe(const Options& options) {
 int crack(Options& options) {
   options.request.recipe = build_recipe(options);
   check_request(options.request);
-  catch_interrupt();
-  RunResult result;
-  {
-    ProgressLine line(options.quiet);
-    Context context;
-    context.threads = options.threads;
-    context.progress = [&](const Progress& progress) { line.update(progress); };
-    context.cancelled = was_interrupted;
-    result = run(options.request, context);
-  }
-  if (!options.quiet) {
-    for (const std::string& warning : result.report.warnings) print_warning(warning);
+  const RunResult result = run(options.request, Run(options.run).context());
+  if (!options.no_warnings) {
+    for (const std::string& warning : result.report.warnings) {
+      print_warning(options.run.style, warning);
+    }
   }
   int code = done;
   if (options.request.report == "-") code = print(result.report_text);
@@ -146,10 +139,9 @@ void add_crack(CLI::App& app, Action& action) {
                    "Stop after N crack events; 0: before the first")
       ->type_name("N")
       ->check(not_negative());
-  verb->add_option("--threads", options->threads, "0: one per core")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024));
-  verb->add_flag("--quiet", options->quiet, "No progress");
+  add_run_options(*verb, options->run);
+  verb->add_flag("--no-warnings", options->no_warnings,
+                 "Do not say what could not be done as asked; the report says it all the same");
   verb->footer(
       "Examples:\n"
       "  craze crack cup.obj -o cracked.glb --preset glaze\n"

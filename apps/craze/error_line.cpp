@@ -4,10 +4,19 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 namespace craze::app {
 
 namespace {
+
+void print_json(const char* kind, const std::string& message) {
+  nlohmann::json line;
+  line[kind] = message;
+  // A path need not be UTF-8; JSON must.
+  const auto replace = nlohmann::json::error_handler_t::replace;
+  std::fprintf(stderr, "%s\n", line.dump(-1, ' ', false, replace).c_str());
+}
 
 void print_line(const char* kind, const char* color, const std::string& message) {
   std::string line = message;
@@ -20,14 +29,31 @@ void print_line(const char* kind, const char* color, const std::string& message)
                line.c_str());
 }
 
-}  // namespace
-
-void print_error(const std::string& message) {
-  print_line("error", "\x1b[1;31m", message);
+void print_message(MessageStyle style, const char* kind, const char* color,
+                   const std::string& message) {
+  if (style == MessageStyle::json) {
+    print_json(kind, message);
+  } else {
+    print_line(kind, color, message);
+  }
 }
 
-void print_warning(const std::string& message) {
-  print_line("warning", "\x1b[1;33m", message);
+}  // namespace
+
+void print_error(MessageStyle style, const std::string& message) {
+  print_message(style, "error", "\x1b[1;31m", message);
+}
+
+void print_warning(MessageStyle style, const std::string& message) {
+  print_message(style, "warning", "\x1b[1;33m", message);
+}
+
+void print_stopped(MessageStyle style) {
+  if (style == MessageStyle::json) {
+    print_json("error", "stopped");
+  } else {
+    std::fputs("craze: stopped\n", stderr);
+  }
 }
 
 }  // namespace craze::app

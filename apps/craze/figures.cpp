@@ -9,7 +9,7 @@
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/figure_run.h"
 #include "interrupt.h"
-#include "progress_line.h"
+#include "run_options.h"
 
 namespace craze::app {
 
@@ -18,8 +18,7 @@ namespace {
 struct Options {
   FigureRequest request;
   std::vector<std::string> names;
-  int threads = 0;
-  bool quiet = false;
+  RunOptions run;
 };
 
 int make_figures(const Options& options) {
@@ -32,22 +31,14 @@ int make_figures(const Options& options) {
   if (!meshes.empty() && !std::filesystem::is_directory(meshes)) {
     throw Error(ErrorKind::input, "cannot read the meshes", meshes, "there is no such folder");
   }
-  catch_interrupt();
   std::vector<FigureResult> results;
   for (const Figure* figure : wanted) {
-    {
-      ProgressLine line(options.quiet);
-      Context context;
-      context.threads = options.threads;
-      context.progress = [&](const Progress& progress) { line.update(progress); };
-      context.cancelled = was_interrupted;
-      results.push_back(make_figure(*figure, options.request, context));
-    }
+    results.push_back(make_figure(*figure, options.request, Run(options.run).context()));
     if (results.back().cancelled) return interrupt_code();
   }
   const std::string page = figure_page(results);
   write_file(std::filesystem::path(options.request.folder) / "figures.md", page);
-  return options.quiet ? done : print(page);
+  return options.run.quiet ? done : print(page);
 }
 
 std::string figure_list() {
@@ -81,10 +72,7 @@ void add_figures(CLI::App& app, Action& action) {
       ->type_name("N")
       ->check(CLI::Range(1, 16384))
       ->capture_default_str();
-  verb->add_option("--threads", options->threads, "0: one per core")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024));
-  verb->add_flag("--quiet", options->quiet, "No progress, and no table on standard output");
+  add_run_options(*verb, options->run, "No progress, and no table on standard output");
   verb->footer(figure_list() +
                "Examples:\n"
                "  craze figures -o figures --meshes scans\n"

@@ -11,6 +11,8 @@
 #include "craze/recipe/nearest_name.h"
 #include "error_line.h"
 #include "interrupt.h"
+#include "message_style.h"
+#include "standard_streams.h"
 
 namespace {
 
@@ -33,7 +35,7 @@ void check_verb(const CLI::App& app, const std::string& word) {
                      nearest.empty() ? "see craze --help" : "did you mean " + nearest + "?");
 }
 
-int run_command(int argc, char** argv) {
+int run_command(int argc, char** argv, MessageStyle style) {
   CLI::App app{"Grows surface crack patterns on triangle meshes: mud, glaze, glass, paint.",
                "craze"};
   app.set_version_flag("--version", "craze " + craze::version());
@@ -63,7 +65,7 @@ int run_command(int argc, char** argv) {
     return print(text.back() == '\n' ? text : text + "\n");
   } catch (const CLI::ParseError& e) {
     const std::string verb = said_to(app);
-    print_error("wrong usage (" + verb + "): " + e.what() + "; see " + verb + " --help");
+    print_error(style, "wrong usage (" + verb + "): " + e.what() + "; see " + verb + " --help");
     return wrong_usage;
   }
   return action();
@@ -72,18 +74,23 @@ int run_command(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  fill_standard_streams();
+  // A closed pipe and a limit on file sizes are failures to write, not ends of the process.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  const MessageStyle style = message_style(argc, argv);
   try {
-    return run_command(argc, argv);
-  } catch (const craze::Error& e) {
-    print_error(e.what());
-    return e.kind() == craze::ErrorKind::usage ? wrong_usage : failed;
+    return run_command(argc, argv, style);
   } catch (const craze::Cancelled&) {
-    return craze::app::interrupt_code();
+    print_stopped(style);
+    return interrupt_code();
+  } catch (const craze::Error& e) {
+    print_error(style, e.what());
+    return e.kind() == craze::ErrorKind::usage ? wrong_usage : failed;
   } catch (const std::bad_alloc&) {
-    print_error("out of memory: try a coarser mesh.edge or a smaller input");
+    print_error(style, "out of memory: try a coarser mesh.edge or a smaller input");
   } catch (const std::exception& e) {
-    print_error(std::string("unexpected failure: ") + e.what());
+    print_error(style, std::string("unexpected failure: ") + e.what());
   }
   return failed;
 }

@@ -29,7 +29,7 @@ std::string progress_text(const Progress& p, double seconds, std::int64_t cracks
   return text;
 }
 
-ProgressLine::ProgressLine(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO)) {}
+ProgressLine::ProgressLine() : shown_(isatty(STDERR_FILENO)) {}
 
 ProgressLine::~ProgressLine() {
   if (shown_) std::fputs("\r\x1b[K", stderr);

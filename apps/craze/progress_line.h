@@ -4,20 +4,18 @@
 #include <chrono>
 #include <string>
 
-#include "craze/context.h"
+#include "progress_view.h"
 
 namespace craze::app {
 
 /// Draws at most ten times a second; clears its line when destroyed. Draws nothing unless standard
 /// error is a terminal.
-class ProgressLine {
+class ProgressLine : public ProgressView {
  public:
-  explicit ProgressLine(bool quiet);
-  ~ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
+  ProgressLine();
+  ~ProgressLine() override;
 
-  void update(const Progress& progress);
+  void update(const Progress& progress) override;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -9,7 +9,7 @@
 #include "craze/job/run.h"
 #include "craze/render/mesh_picture.h"
 #include "craze/render/png.h"
-#include "progress_line.h"
+#include "run_options.h"
 
 namespace craze::app {
 
@@ -18,8 +18,7 @@ namespace {
 struct Options {
   std::string input, output, material = "clay", background;
   render::PictureOptions picture;
-  int threads = 0;
-  bool quiet = false;
+  RunOptions run;
 };
 
 render::Rgb color_of(const std::string& text) {
@@ -37,12 +36,10 @@ int render_mesh(Options& options) {
   options.picture.material = render::find_material(options.material);
   if (!options.background.empty()) options.picture.backdrop = color_of(options.background);
   check_picture_path(options.output);
-  ProgressLine line(options.quiet);
-  Context context;
-  context.threads = options.threads;
-  context.progress = [&](const Progress& progress) { line.update(progress); };
-  const SurfaceMesh mesh = load_surface(options.input);
-  render::write_png(options.output, mesh_picture(mesh, options.picture, context));
+  const Run run(options.run);
+  const Context& context = run.context();
+  const MeshFile file = load_surface(options.input, context);
+  render::write_png(options.output, mesh_picture(file.mesh, options.picture, context), context);
   return done;
 }
 
@@ -101,10 +98,7 @@ void add_render(CLI::App& app, Action& action) {
       ->type_name("FILE");
   add_camera_options(*verb, options->picture, "Camera");
   add_scene(*verb, *options);
-  verb->add_option("--threads", options->threads, "0: one per core")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024));
-  verb->add_flag("--quiet", options->quiet, "No progress");
+  add_run_options(*verb, options->run);
   verb->footer(
       "Examples:\n"
       "  craze render cracked.ply -o cracked.png --material glaze --azimuth 40\n"

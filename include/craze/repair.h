@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "craze/context.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -46,7 +47,8 @@ struct RepairReport {
 /// those of the first, a copy those of its original. source_faces is filled with the triangle's
 /// number if it was empty. The result has no faces if none was sound.
 /// Throws Error(input) for positions that are not finite or beyond 1e50, corners that are not
-/// vertices, and attributes of the wrong length. Deterministic; O(#F log #F).
-SurfaceMesh repair(const SurfaceMesh& input, const RepairOptions& options, RepairReport& report);
+/// vertices, and attributes of the wrong length, and Cancelled. Deterministic; O(#F log #F).
+SurfaceMesh repair(const SurfaceMesh& input, const RepairOptions& options, RepairReport& report,
+                   const Context& context = {});
 
 }  // namespace craze

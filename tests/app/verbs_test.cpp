@@ -47,6 +47,22 @@ TEST_F(Verbs, CheckSaysWhatRepairWouldDo) {
   EXPECT_EQ(json["sound"], false);
 }
 
+TEST_F(Verbs, CheckSaysWhereAMeshAndItsPartsAre) {
+  std::ofstream(file("two.obj")) << "v 1 2 3\nv 2 2 3\nv 1 4 3\nf 1 2 3\n"
+                                    "v 11 2 3\nv 12 2 3\nv 11 4 8\nv 12 4 8\nf 4 5 6\nf 5 7 6\n";
+  const CommandResult text = run({"check", "two.obj"});
+  EXPECT_NE(text.out.find("box (1, 2, 3) to (12, 4, 8), size 11 x 2 x 5\n"), std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find("part 1: 2 triangles, box (11, 2, 3) to (12, 4, 8)"), std::string::npos)
+      << text.out;
+  const auto mesh = nlohmann::json::parse(run({"check", "two.obj", "--json"}).out)["repaired"];
+  EXPECT_EQ(mesh["box"]["low"], (nlohmann::json{1.0, 2.0, 3.0}));
+  EXPECT_EQ(mesh["box"]["size"], (nlohmann::json{11.0, 2.0, 5.0}));
+  ASSERT_EQ(mesh["parts"].size(), 2u);
+  EXPECT_EQ(mesh["parts"][0]["triangles"], 1);
+  EXPECT_EQ(mesh["parts"][0]["box"]["high"], (nlohmann::json{2.0, 4.0, 3.0}));
+}
+
 TEST_F(Verbs, StatsTakesTheStepsOfPixelsOutOfASkeleton) {
   // A tilted grid of squares, 30 pixels wide, as a skeleton: from pixel to pixel.
   nlohmann::json lines{{"points", nlohmann::json::array()}, {"edges", nlohmann::json::array()}};

@@ -253,15 +253,38 @@ TEST(Remesh, ThinWallsStayApart) {
   EXPECT_NEAR(after.area / before.area, 1, 0.01);
 }
 
-TEST(Remesh, ACancelledRunStillReturnsASoundMesh) {
+TEST(Remesh, IsCancelledWheneverTheContextSaysSo) {
+  RemeshOptions options;
+  options.target_edge = 0.05;
+  const SurfaceMesh cube = make_shape("cube?n=3");
   int polls = 0;
   Context context;
-  context.cancelled = [&] { return ++polls > 3; };
+  context.cancelled = [&] { return ++polls < 0; };
+  remesh(cube, options, context);
+  ASSERT_GT(polls, 40);
+  for (int last = 1, all = polls; last <= all; last += 7) {
+    polls = 0;
+    context.cancelled = [&] { return ++polls >= last; };
+    EXPECT_THROW(remesh(cube, options, context), Cancelled) << last;
+    EXPECT_EQ(polls, last) << "goes on after it was cancelled";
+  }
+}
+
+TEST(Remesh, SaysHowFarItIsAndNeverGoesBack) {
   RemeshOptions options;
   options.target_edge = 0.02;
-  const SurfaceMesh s = remesh(make_shape("cube?n=3"), options, context);
-  EXPECT_TRUE(sound_summary(s).closed());
-  EXPECT_EQ(s.corner_uvs.size(), 3 * s.triangles.size());
+  Context context;
+  std::vector<double> fractions;
+  context.progress = [&](const Progress& p) {
+    EXPECT_EQ(p.phase, "remesh");
+    fractions.push_back(p.fraction);
+  };
+  remesh(make_shape("cube?n=3"), options, context);
+  ASSERT_GT(fractions.size(), 30u);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.front(), 0);
+  EXPECT_GT(fractions.back(), 0.9);
+  EXPECT_LE(fractions.back(), 1);
 }
 
 TEST(Remesh, RefusesTargetsThatAreNoLengthOrTooFine) {

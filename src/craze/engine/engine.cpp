@@ -15,8 +15,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-SurfaceMesh repaired(const Input& input, Report& report) {
-  SurfaceMesh surface = repair(*input.surface, {}, report.repair);
+SurfaceMesh repaired(const Input& input, Report& report, const Context& context) {
+  SurfaceMesh surface = repair(*input.surface, {}, report.repair, context);
   if (surface.triangles.empty()) {
     throw Error(ErrorKind::input, "nothing to crack", input.name,
                 "the mesh has no triangle with area");
@@ -62,10 +62,11 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   if (options.max_cracks) report.recipe.simulation.evolution.max_cracks = *options.max_cracks;
   report.threads = context.threads.count();
   report.input = count_mesh(*input.surface);
-  context.report({"prepare", -1, 0, report.input.triangles});
-  SurfaceMesh surface = repaired(input, report);
+  SurfaceMesh surface = repaired(input, report, context);
   input.surface.reset();
   report.time.load = seconds_since(start);
+  context.check();
+  context.report({"prepare", -1, 0, count_mesh(surface).triangles});
 
   SpacedRun run = options.max_cracks == 0
                       ? uncracked(std::move(surface), report.recipe, input.textures, context)

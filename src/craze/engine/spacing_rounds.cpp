@@ -114,8 +114,14 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
   std::optional<SpacedRun> best;
   double best_error = std::numeric_limits<double>::infinity();
   for (std::int64_t round = 0;; ++round) {
-    prepare(run, repaired, context);
-    run.last = run_cycles(run.surface, run.recipe.simulation, textures, context);
+    try {
+      prepare(run, repaired, context);
+      run.last = run_cycles(run.surface, run.recipe.simulation, textures, context);
+    } catch (const Cancelled&) {
+      if (!best) throw;
+      best->last.reason = StopReason::cancelled;
+      return std::move(*best);
+    }
     const StopReason reason = run.last.reason;
     if (round == 0 && is_cut_short(reason)) return run;
     const TriangleMesh& mesh = run.last.simulation->mesh();

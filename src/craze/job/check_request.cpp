@@ -1,4 +1,5 @@
 // Errors worth finding before a long computation.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 
 #include "craze/error.h"
 #include "craze/io/files/extension.h"
+#include "craze/job/output_place.h"
 #include "craze/job/run.h"
 #include "craze/render/material.h"
 #include "craze/render/video.h"
@@ -47,6 +49,56 @@ void check_folder(const Output& output) {
   const bool in_place =
       fs::exists(output.path, ignored) && !fs::is_regular_file(output.path, ignored);
   if (!in_place && access(folder.c_str(), W_OK) != 0) fail("its folder cannot be written");
+}
+
+/// Where the outputs go: each to a file of its own, by whatever name it is asked for.
+class Places {
+ public:
+  bool empty() const { return !any_; }
+
+  void take(const char* what, const fs::path& path) {
+    any_ = true;
+    std::error_code ignored;
+    if (fs::is_character_file(path, ignored)) return;  // swallows any number
+    const auto [at, is_new] = taken_.emplace(place_of(path), what);
+    if (is_new) return;
+    throw Error(ErrorKind::usage, std::string("cannot write ") + what, path.string(),
+                std::string("the same file is asked for ") + at->second);
+  }
+
+ private:
+  bool any_ = false;
+  std::map<std::string, const char*> taken_;
+};
+
+/// ffmpeg's file is put in its place whole, and only a file has one.
+void check_video(const std::string& video) {
+  std::error_code ignored;
+  const fs::path target = followed(video);
+  if (!fs::exists(target, ignored) || fs::is_regular_file(target, ignored)) return;
+  throw Error(ErrorKind::output, "cannot write the video", video, "it is a device or a pipe");
+}
+
+void check_frames(const RunRequest& request, Places& places) {
+  const auto frame = [&](int i) {
+    return fs::path(request.frames) / fmt::format("frame_{:04}.{}", i, request.frame_format);
+  };
+  // Folders that are missing are made, in the first that is there.
+  std::error_code ignored;
+  fs::path folder = fs::absolute(request.frames, ignored);
+  if (fs::exists(folder, ignored)) {
+    check_folder({"the frames", frame(0).string(), {}});
+  } else {
+    while (!fs::exists(folder, ignored) && folder.has_relative_path())
+      folder = folder.parent_path();
+    const bool writable = access(folder.c_str(), W_OK) == 0;
+    if (!fs::is_directory(folder, ignored) || !writable) {
+      throw Error(ErrorKind::output, "cannot write the frames", request.frames,
+                  folder.string() + (writable ? " is no folder" : " cannot be written"));
+    }
+  }
+  places.take("the frames", request.frames);
+  for (int i = 0; i < request.frame_count; ++i) places.take("the frames", frame(i));
 }
 
 /// Asked for together, what makes no sense alone.
@@ -94,25 +146,18 @@ void check_request(const RunRequest& request) {
       {"the fields", request.fields, {".ply"}},
       {"the report", report_file ? request.report : none, {".json"}},
   };
-  std::map<fs::path, const char*> taken;
+  Places places;
   for (const Output& output : outputs) {
     if (output.path.empty()) continue;
     check_extension(output);
     check_folder(output);
-    const auto [at, is_new] = taken.emplace(fs::path(output.path).lexically_normal(), output.what);
-    if (!is_new) {
-      throw Error(ErrorKind::usage, std::string("cannot write ") + output.what, output.path,
-                  std::string("the same file is asked for ") + at->second);
-    }
+    places.take(output.what, output.path);
   }
-  if (!request.frames.empty()) {
-    // The folder itself may be new, the one it lies in may not.
-    const fs::path frames = fs::path(request.frames) / ("frame_0000." + request.frame_format);
-    if (fs::exists(request.frames)) check_folder({"the frames", frames.string(), {}});
-  }
+  if (!request.video.empty()) check_video(request.video);
+  if (!request.frames.empty()) check_frames(request, places);
   check_growth(request);
   render::find_material(request.recipe.picture.material);
-  if (taken.empty() && request.report.empty() && request.frames.empty()) {
+  if (places.empty() && request.report.empty() && request.frames.empty()) {
     throw Error(
         ErrorKind::usage, "nothing to write", "",
         "give -o FILE, or one of --lines, --picture, --frames, --video, --fields, --report");

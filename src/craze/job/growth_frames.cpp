@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
 #include "craze/error.h"
 #include "craze/job/crack_picture.h"
+#include "craze/job/output_place.h"
 #include "craze/render/png.h"
 #include "craze/render/video.h"
 #include "craze/write_mesh.h"
@@ -49,6 +51,17 @@ class Photographer {
   render::CrackLines lines_;
 };
 
+/// The context of one frame of several, which reports how far all of them are.
+Context of_frame(const Context& context, int frame, int frames) {
+  Context inner = context;
+  // A frame is a step or two, whose fractions all begin at 0.
+  inner.progress = [&context, frame, frames, part = 0.0](const Progress& p) mutable {
+    part = std::max(part, p.fraction);
+    context.report({"frames", (frame + part) / frames});
+  };
+  return inner;
+}
+
 void make_folder(const std::string& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
@@ -66,28 +79,28 @@ void write_frames(const RunRequest& request, const GrowthScene& scene,
   if (pictures) photographer.emplace(scene, request.recipe.post, options, context);
   std::optional<render::Video> video;
   if (!request.video.empty()) {
-    video.emplace(request.video, options.width, options.height,
+    video.emplace(followed(request.video).string(), options.width, options.height,
                   request.frame_count / request.clip_seconds);
   }
   if (!request.frames.empty()) make_folder(request.frames);
-  const Report& report = scene.result.report();
   for (int i = 0; i < request.frame_count; ++i) {
     context.check();
     const double time = request.frame_count > 1 ? i / (request.frame_count - 1.0) : 1;
-    context.report({"frames", time, report.cracks.events, report.output.triangles, report.load});
+    const Context frame = of_frame(context, i, request.frame_count);
+    frame.report({});
     const fs::path path =
         fs::path(request.frames) / fmt::format("frame_{:04}.{}", i, request.frame_format);
     render::Image image;
-    if (pictures) image = photographer->picture(time, context);
-    if (video) video->add(image);
+    if (pictures) image = photographer->picture(time, frame);
+    if (video) video->add(image, frame);
     if (request.frames.empty()) continue;
     if (request.frame_format == "png") {
-      render::write_png(path.string(), image);
+      render::write_png(path.string(), image, frame);
     } else {
-      write_mesh(path, mesh_at(scene, time));
+      write_mesh(path, mesh_at(scene, time), {}, frame);
     }
   }
-  if (video) video->finish();
+  if (video) video->finish(context);
 }
 
 }  // namespace craze

@@ -1,6 +1,5 @@
 #include "craze/job/load_surface.h"
 
-#include "craze/read_mesh.h"
 #include "craze/shapes.h"
 
 namespace craze {
@@ -15,9 +14,11 @@ bool is_shape(std::string_view input) {
   return input.substr(0, prefix.size()) == prefix;
 }
 
-SurfaceMesh load_surface(const std::string& input) {
-  if (is_shape(input)) return make_shape(input.substr(prefix.size()));
-  return read_mesh_file(input).mesh;
+MeshFile load_surface(const std::string& input, const Context& context) {
+  context.check();
+  context.report({"load"});
+  if (is_shape(input)) return {make_shape(input.substr(prefix.size())), {}, {}};
+  return read_mesh_file(input, context);
 }
 
 }  // namespace craze

@@ -4,7 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "craze/surface_mesh.h"
+#include "craze/context.h"
+#include "craze/read_mesh.h"
 
 namespace craze {
 
@@ -12,7 +13,7 @@ namespace craze {
 bool is_shape(std::string_view input);
 
 /// Reads a mesh file, or makes the shape of "shape:NAME?key=value&…". Throws Error(input) for a
-/// file that cannot be read, Error(usage) for an unknown shape.
-SurfaceMesh load_surface(const std::string& input);
+/// file that cannot be read, Error(usage) for an unknown shape, and Cancelled.
+MeshFile load_surface(const std::string& input, const Context& context = {});
 
 }  // namespace craze

@@ -46,15 +46,18 @@ void write_picture(const RunRequest& request, const OpenedSurface& shown, const 
   drawn.corner_normals = picture_normals(shown, result, request.recipe.post, options.crease);
   const render::CrackLines lines =
       picture_lines(shown, result, render::line_reach(drawn, options), context);
-  render::write_png(request.picture, render::render_picture(drawn, &lines, options, context));
+  render::write_png(request.picture, render::render_picture(drawn, &lines, options, context),
+                    context);
 }
 
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
 void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown,
-                           const Result& result, const GrowthTimes& times, const Context& context) {
+                           const Result& result, const GrowthTimes& times, Report& report,
+                           const Context& context) {
   const bool frames = !request.frames.empty() || !request.video.empty();
   std::optional<Growth> growth;
   if (request.animate || frames) growth.emplace(result, times, shown);
+  context.check();
   if (!request.output.empty()) {
     MorphAnimation animation;
     if (request.animate) {
@@ -63,7 +66,8 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
     MeshFileOptions options;
     if (request.split_fragments) options.objects = "fragment";
     if (request.animate) options.animation = &animation;
-    write_mesh(request.output, shown.mesh, options);
+    options.warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
+    write_mesh(request.output, shown.mesh, options, context);
   }
   if (frames) {
     write_frames(request, {result, times, shown, *growth}, picture_options(request), context);
@@ -78,13 +82,18 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   const GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
+  context.check();
   const OpenedSurface shown = opened_surface(result, std::move(cut), request.recipe.post, context);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
-  write_mesh_and_growth(request, shown, result, times, context);
-  if (!request.lines.empty()) write_lines(request.lines, crack_lines(result));
-  if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context));
+  write_mesh_and_growth(request, shown, result, times, report, context);
+  context.check();
+  if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), context);
+  context.check();
+  if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context), {}, context);
+  context.check();
   if (!request.picture.empty()) write_picture(request, shown, result, context);
+  context.check();
   const CrackedSurface& state = result.state();
   if (request.report.empty() || state.network.edges.empty()) return {};
   return compute_with_sensitivity(graph_from_network(state.network, state.simulation->mesh()));

@@ -30,23 +30,32 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-Input load(const RunRequest& request) {
+Input load(const RunRequest& request, std::vector<std::string>& warnings, const Context& context) {
   Input input;
+  MeshFile file = load_surface(request.input, context);
+  warnings = std::move(file.warnings);
   input.name = request.input;
-  input.surface = std::make_shared<const SurfaceMesh>(load_surface(request.input));
+  input.surface = std::make_shared<const SurfaceMesh>(std::move(file.mesh));
   const SimulationParameters& p = request.recipe.simulation;
   for (const std::string* path : {&p.stress.texture, &p.material.texture, &p.layer.texture}) {
     if (!path->empty() && !input.textures.count(*path)) {
-      input.textures.emplace(*path, to_grey(read_image_file(*path)));
+      input.textures.emplace(*path, to_grey(read_image_file(*path, context)));
     }
   }
   return input;
 }
 
-/// What is written after a run that was stopped is written whole; a second signal kills.
-Context for_writing(const Context& context, bool stopped) {
+/// What is written after a run that was stopped is written whole; a second signal kills. Progress
+/// goes on saying what the run has come to.
+Context for_writing(const Context& context, const Report& report, bool stopped) {
   Context writing = context;
   if (stopped) writing.cancelled = nullptr;
+  writing.progress = [&context, &report](Progress p) {
+    p.cracks = report.cracks.events;
+    p.load = report.load;
+    if (p.triangles == 0) p.triangles = report.output.triangles;
+    context.report(p);
+  };
   return writing;
 }
 
@@ -55,25 +64,27 @@ Context for_writing(const Context& context, bool stopped) {
 RunResult run(const RunRequest& request, const Context& context) {
   check_request(request);
   Stopwatch total, phase;
-  context.report({"load"});
-  Input input = load(request);
+  std::vector<std::string> warnings;
+  Input input = load(request, warnings, context);
   const double load_time = phase.lap();
 
   const Result result = crack(std::move(input), request.recipe, {request.max_cracks}, context);
   const bool stopped = result.report().stop_reason == to_string(StopReason::cancelled);
   Report report = result.report();
   report.time.load += load_time;
+  report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
   phase.lap();
 
-  const Context writing = for_writing(context, stopped);
-  writing.report({"write", -1, report.cracks.events, report.output.triangles, report.load});
+  const Context writing = for_writing(context, report, stopped);
+  writing.report({"write"});
   const auto statistics = write_outputs(request, result, report, writing);
+  writing.check();
   report.time.write = phase.lap();
   report.time.total = total.lap();
   const nlohmann::ordered_json json = report_to_json(report, statistics ? &*statistics : nullptr);
   RunResult done{report, json.dump(2) + "\n", stopped};
   if (!request.report.empty() && request.report != "-") {
-    write_file(request.report, done.report_text, "cannot write the report");
+    write_file(request.report, done.report_text, "cannot write the report", writing);
   }
   return done;
 }

@@ -163,6 +163,21 @@ bool takes_words(ParameterType type) {
          type == ParameterType::edge;
 }
 
+/// Numbers as people write them, ".06", "1.", "+1", as TOML wants them: "0.06", "1.0", "+1". All
+/// else is left as it is.
+std::string with_whole_numbers(const std::string& text) {
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool before = i > 0 && is_digit(text[i - 1]);
+    const bool after = i + 1 < text.size() && is_digit(text[i + 1]);
+    if (text[i] == '.' && after && !before) result += '0';
+    result += text[i];
+    if (text[i] == '.' && before && !after) result += '0';
+  }
+  return result;
+}
+
 /// The text after "=" as a node: TOML, or the bare text where the parameter takes words.
 toml::table parse_setting(const Parameter& p, const std::string& text, const std::string& where) {
   const bool quoted = !text.empty() && (text[0] == '"' || text[0] == '\'');
@@ -170,7 +185,7 @@ toml::table parse_setting(const Parameter& p, const std::string& text, const std
   if (p.type == ParameterType::edge || quoted || !takes_words(p.type)) {
     try {
       check_nesting(text, where);
-      table = toml::parse("value = " + text);
+      table = toml::parse("value = " + (quoted ? text : with_whole_numbers(text)));
       if (table.size() == 1 && !table["value"].is_table()) return table;
     } catch (const toml::parse_error&) {
       table.clear();

@@ -1,24 +1,36 @@
 #include "craze/render/film.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "craze/base/parallel.h"
+#include "craze/base/reporting_loop.h"
 
 namespace craze::render {
 
-void Film::smooth_light(const Threads& threads, float pixel_size) {
+Film::Film(int width, int height, const Context& context) : width_(width), height_(height) {
+  constexpr std::size_t at_once = std::size_t{1} << 20;
+  const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  pixels_.reserve(size);
+  while (pixels_.size() < size) {
+    context.check();
+    pixels_.resize(std::min(size, pixels_.size() + at_once));
+  }
+}
+
+void Film::smooth_light(const Context& context, float pixel_size) {
   smoothed_.resize(pixels_.size());
   for (std::size_t i = 0; i < pixels_.size(); ++i) smoothed_[i] = pixels_[i].light;
   // A filter with holes, growing: [Dammertz et al. 2010, "Edge-avoiding à-trous wavelet
   // transform"].
-  for (const int step : {1, 2, 4}) smooth_once(threads, pixel_size, step);
+  for (const int step : {1, 2, 4}) smooth_once(context, pixel_size, step);
 }
 
-void Film::smooth_once(const Threads& threads, float pixel_size, int step) {
+void Film::smooth_once(const Context& context, float pixel_size, int step) {
   const std::vector<Rgb> before = smoothed_;
   const float depth_range = 2.5f * pixel_size * static_cast<float>(step);
-  parallel_for(
-      threads, static_cast<std::size_t>(height_), 8, [&](std::size_t begin, std::size_t end) {
+  reporting_loop(
+      context, "develop", static_cast<std::size_t>(height_), 8,
+      [&](std::size_t begin, std::size_t end) {
         for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
           for (int x = 0; x < width_; ++x) {
             const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
@@ -54,18 +66,22 @@ void Film::smooth_once(const Threads& threads, float pixel_size, int step) {
       });
 }
 
-Image Film::develop(float exposure) const {
+Image Film::develop(float exposure, const Context& context) const {
   Image image{width_, height_, std::vector<std::uint8_t>(3 * pixels_.size())};
-  for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const Pixel& p = pixels_[i];
-    Rgb color = p.diffuse + p.direct;
-    if (!smoothed_.empty()) color += p.albedo * (smoothed_[i] - p.light);
-    for (int k = 0; k < 3; ++k) {
-      const float c = linear_to_srgb(tone_curve(exposure * color[k]));
-      image.rgb[3 * i + k] =
-          static_cast<std::uint8_t>(std::lround(255 * std::clamp(c, 0.0f, 1.0f)));
-    }
-  }
+  constexpr std::size_t grain = 4096;
+  reporting_loop(context, "develop", pixels_.size(), grain,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     const Pixel& p = pixels_[i];
+                     Rgb color = p.diffuse + p.direct;
+                     if (!smoothed_.empty()) color += p.albedo * (smoothed_[i] - p.light);
+                     for (int k = 0; k < 3; ++k) {
+                       const float c = linear_to_srgb(tone_curve(exposure * color[k]));
+                       image.rgb[3 * i + k] =
+                           static_cast<std::uint8_t>(std::lround(255 * std::clamp(c, 0.0f, 1.0f)));
+                     }
+                   }
+                 });
   return image;
 }
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "craze/context.h"
 #include "craze/render/color.h"
 #include "craze/render/image.h"
-#include "craze/threads.h"
 
 namespace craze::render {
 
@@ -23,20 +23,20 @@ struct Pixel {
 
 class Film {
  public:
-  Film(int width, int height)
-      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * height) {}
+  /// Throws Cancelled: a large film takes seconds to make.
+  Film(int width, int height, const Context& context);
 
   int width() const { return width_; }
   int height() const { return height_; }
   Pixel& at(int x, int y) { return pixels_[static_cast<std::size_t>(y) * width_ + x]; }
 
   /// Smooths the light over pixels of one surface. `pixel_size` is the width of a pixel at the
-  /// object's distance, in render units.
-  void smooth_light(const Threads& threads, float pixel_size);
-  Image develop(float exposure) const;
+  /// object's distance, in render units. This and develop() throw Cancelled.
+  void smooth_light(const Context& context, float pixel_size);
+  Image develop(float exposure, const Context& context) const;
 
  private:
-  void smooth_once(const Threads& threads, float pixel_size, int step);
+  void smooth_once(const Context& context, float pixel_size, int step);
 
   int width_, height_;
   std::vector<Pixel> pixels_;

@@ -28,7 +28,7 @@ render::Image mesh_picture(const SurfaceMesh& mesh, const render::PictureOptions
   RepairOptions keep_apart;
   keep_apart.tolerance = -1;
   RepairReport report;
-  const SurfaceMesh surface = repair(mesh, keep_apart, report);
+  const SurfaceMesh surface = repair(mesh, keep_apart, report, context);
   const TriangleMesh topology(surface.positions, surface.triangles);
   const Attribute* distance = find_attribute(surface.vertex_attributes, "crack_distance");
   const render::CrackLines lines =

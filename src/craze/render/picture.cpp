@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "craze/base/parallel.h"
+#include "craze/base/reporting_loop.h"
 #include "craze/error.h"
 #include "craze/render/film.h"
 #include "craze/render/smooth_normals.h"
@@ -14,6 +14,8 @@
 namespace craze::render {
 
 namespace {
+
+constexpr int groups_per_chunk = 256;  // of sixteen samples
 
 struct Bounds {
   Vec3 centre;
@@ -108,6 +110,7 @@ double line_reach(const SurfaceMesh& mesh, const PictureOptions& options) {
 Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
                      const PictureOptions& options, const Context& context) {
   check(mesh, lines, options);
+  context.report({.phase = "picture", .fraction = 0});
   const Bounds box = bounds(subject(mesh, options));
   const double scale = box.diagonal > 0 ? 1 / box.diagonal : 1;
 
@@ -133,28 +136,24 @@ Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
   const Camera camera = frame(framed, view, static_cast<double>(options.width) / options.height);
   const Studio studio(camera, options.backdrop.value_or(options.material.backdrop), options.light);
   const int groups = (options.samples + RayScene::lanes - 1) / RayScene::lanes;
+  context.check();
   const Tracer tracer(model, options.material, camera, studio, options.ground, groups,
                       options.seed);
 
-  Film film(options.width, options.height);
-  constexpr int band = 64;  // rows between two reports
-  for (int top = 0; top < options.height; top += band) {
-    context.report({.phase = "picture", .fraction = static_cast<double>(top) / options.height});
-    const int rows = std::min(band, options.height - top);
-    parallel_for(context.threads, static_cast<std::size_t>(rows), 1,
+  Film film(options.width, options.height, context);
+  const auto width = static_cast<std::size_t>(options.width);
+  // A pixel of many samples is a chunk of its own, so that no chunk takes long.
+  const auto grain = static_cast<std::size_t>(std::max(1, groups_per_chunk / groups));
+  reporting_loop(context, "picture", width * static_cast<std::size_t>(options.height), grain,
                  [&](std::size_t begin, std::size_t end) {
-                   for (int y = top + static_cast<int>(begin); y < top + static_cast<int>(end);
-                        ++y) {
-                     for (int x = 0; x < options.width; ++x) {
-                       film.at(x, y) = tracer.trace(x, y, options.width, options.height);
-                     }
+                   for (std::size_t i = begin; i < end; ++i) {
+                     const int x = static_cast<int>(i % width), y = static_cast<int>(i / width);
+                     film.at(x, y) = tracer.trace(x, y, options.width, options.height);
                    }
                  });
-  }
   const double distance = -camera.eye.dot(camera.forward);
-  film.smooth_light(context.threads,
-                    static_cast<float>(distance * 2 * camera.tan_y / options.height));
-  return film.develop(options.exposure);
+  film.smooth_light(context, static_cast<float>(distance * 2 * camera.tan_y / options.height));
+  return film.develop(options.exposure, context);
 }
 
 }  // namespace craze::render

@@ -42,7 +42,7 @@ double line_reach(const SurfaceMesh& mesh, const PictureOptions& options);
 /// take the material's wall colour. `lines` may be null; they belong to the first faces of `mesh`,
 /// and faces beyond them, such as walls, have none. The picture does not depend on the number of
 /// threads. Throws Error(request) for an empty mesh, a mesh that is not finite, or a size out of 1
-/// … 16384.
+/// … 16384, and Cancelled.
 Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
                      const PictureOptions& options, const Context& context);
 

@@ -25,8 +25,11 @@ void append(png_structp png, png_bytep bytes, std::size_t size) {
 
 void flush(png_structp) {}
 
-/// False on any error; libpng reports errors by a long jump, so nothing here has a destructor.
-bool encode(std::string& file, const Image& image) {
+constexpr int rows_between_looks = 16;
+
+/// False on any error and where the context cancels; libpng reports errors by a long jump, so
+/// nothing here has a destructor.
+bool encode(std::string& file, const Image& image, const Context& context) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
   if (!info || setjmp(png_jmpbuf(png))) {
@@ -39,6 +42,13 @@ bool encode(std::string& file, const Image& image) {
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   png_write_info(png, info);
   for (int y = 0; y < image.height; ++y) {
+    if (y % rows_between_looks == 0) {
+      if (context.is_cancelled()) {
+        png_destroy_write_struct(&png, &info);
+        return false;
+      }
+      context.report({"write", static_cast<double>(y) / image.height});
+    }
     png_write_row(png, image.rgb.data() + static_cast<std::size_t>(y) * image.width * 3);
   }
   png_write_end(png, info);
@@ -48,11 +58,14 @@ bool encode(std::string& file, const Image& image) {
 
 }  // namespace
 
-void write_png(const std::string& path, const Image& image) {
+void write_png(const std::string& path, const Image& image, const Context& context) {
   constexpr const char* what = "cannot write picture";
   std::string file;
-  if (!encode(file, image)) throw Error(ErrorKind::output, what, path, "it cannot be compressed");
-  write_file(path, file, what);
+  if (!encode(file, image, context)) {
+    context.check();
+    throw Error(ErrorKind::output, what, path, "it cannot be compressed");
+  }
+  write_file(path, file, what, context);
 }
 
 }  // namespace craze::render

@@ -2,18 +2,22 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include "craze/error.h"
@@ -44,6 +48,15 @@ int start(std::vector<std::string> arguments, int input, int messages, pid_t& pr
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   return error;
+}
+
+constexpr std::chrono::milliseconds moment{100};
+constexpr std::size_t most_at_once = std::size_t{1} << 20;  // bytes
+
+void wait_a_moment(const Context& context) {
+  context.check();
+  context.report({"video"});
+  std::this_thread::sleep_for(moment / 10);
 }
 
 }  // namespace
@@ -96,7 +109,7 @@ Video::~Video() {
 void Video::release() {
   if (input_ >= 0) close(input_);
   if (process_ > 0) {
-    kill(process_, SIGKILL);
+    kill(-process_, SIGKILL);  // and what it has started
     waitpid(process_, nullptr, 0);
   }
   if (messages_) std::fclose(messages_);
@@ -104,37 +117,46 @@ void Video::release() {
   if (!partial_.empty()) fs::remove(partial_, ignored);
 }
 
-void Video::add(const Image& image) {
+void Video::add(const Image& image, const Context& context) {
   std::size_t sent = 0;
   while (sent < image.rgb.size()) {
-    const ssize_t n = send(input_, image.rgb.data() + sent, image.rgb.size() - sent, MSG_NOSIGNAL);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) {
-      wait();
+    const std::size_t left = std::min(image.rgb.size() - sent, most_at_once);
+    const ssize_t n = send(input_, image.rgb.data() + sent, left, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (n > 0) {
+      sent += static_cast<std::size_t>(n);
+    } else if (n < 0 && (errno == EAGAIN || errno == EINTR)) {
+      wait_for_room(context);
+    } else {
+      while (!has_ended()) wait_a_moment(context);
       fail("ffmpeg stopped before the end");
     }
-    sent += static_cast<std::size_t>(n);
+    context.check();
   }
 }
 
-void Video::finish() {
+void Video::finish(const Context& context) {
   close(input_);
   input_ = -1;
-  if (!wait()) fail("ffmpeg failed");
+  while (!has_ended()) wait_a_moment(context);
+  if (!succeeded_) fail("ffmpeg failed");
   std::error_code error;
   fs::rename(partial_, path_, error);
   if (error) fail(error.message());
   partial_.clear();
 }
 
-bool Video::wait() {
+void Video::wait_for_room(const Context& context) {
+  pollfd ready{input_, POLLOUT, 0};
+  if (poll(&ready, 1, static_cast<int>(moment.count())) == 0) context.report({"video"});
+}
+
+bool Video::has_ended() {
   int status = 0;
-  pid_t ended;
-  do {
-    ended = waitpid(process_, &status, 0);
-  } while (ended < 0 && errno == EINTR);
+  const pid_t ended = waitpid(process_, &status, WNOHANG);
+  if (ended == 0) return false;
+  succeeded_ = ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   process_ = -1;
-  return ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return true;
 }
 
 void Video::fail(const std::string& otherwise) {

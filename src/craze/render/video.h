@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "craze/context.h"
 #include "craze/render/image.h"
 
 namespace craze::render {
@@ -12,7 +13,8 @@ namespace craze::render {
 bool has_ffmpeg();
 
 /// Feeds ffmpeg, which chooses the format by the extension of the path. Each call throws
-/// Error(output) with the path and what ffmpeg says.
+/// Error(output) with the path and what ffmpeg says. An ffmpeg that stalls is waited for in steps
+/// of a tenth of a second, each with a report, until the context cancels.
 class Video {
  public:
   Video(const std::string& path, int width, int height, double frames_per_second);
@@ -21,19 +23,23 @@ class Video {
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;
 
-  /// All pictures have the size said at first.
-  void add(const Image& image);
-  /// Waits for ffmpeg and puts the file in its place.
-  void finish();
+  /// All pictures have the size said at first. Waits for ffmpeg to take it; throws Cancelled.
+  void add(const Image& image, const Context& context);
+  /// Waits for ffmpeg and puts the file in its place; throws Cancelled.
+  void finish(const Context& context);
 
  private:
   [[noreturn]] void fail(const std::string& otherwise);
-  bool wait();
+  /// Whether ffmpeg has; `succeeded_` then says how.
+  bool has_ended();
+  /// For a moment, or until ffmpeg takes more.
+  void wait_for_room(const Context& context);
   void release();
 
   std::string path_, partial_;
   int input_ = -1;
   int process_ = -1;  ///< the system's number of it
+  bool succeeded_ = false;
   std::FILE* messages_ = nullptr;
 };
 

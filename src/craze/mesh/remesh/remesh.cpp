@@ -6,6 +6,7 @@
 #include "craze/error.h"
 #include "craze/mesh/remesh/remesh_approach.h"
 #include "craze/mesh/remesh/remesh_edges.h"
+#include "craze/mesh/remesh/remesh_progress.h"
 #include "craze/mesh/remesh/remesh_surface.h"
 #include "craze/mesh/remesh/remesh_transfer.h"
 #include "craze/mesh/remesh/remesh_vertices.h"
@@ -26,20 +27,27 @@ SurfaceMesh remesh(const SurfaceMesh& input, const RemeshOptions& options, const
   }
   const TriangleMesh topology(input.positions, input.triangles);
   if (topology.face_count() == 0) return input;
-  RemeshSurface s(input, topology, options, context);
-  for (int round = 0; round < options.iterations && !context.is_cancelled(); ++round) {
-    context.report({"prepare", static_cast<double>(round) / (options.iterations + 1)});
-    split_long_edges(s);
-    collapse_short_edges(s);
-    flip_edges(s);
-    smooth(s, round == 0 ? first_shake : 0);
-    flip_edges(s);
+  // Of a round five, then approach and transfer; the first is setting up.
+  RemeshProgress progress(context, 5 * options.iterations + 3);
+  progress.next_stage(topology.face_count());
+  RemeshSurface s(input, topology, options, progress);
+  const auto stage = [&](auto&& work) {
+    progress.next_stage(s.mesh.face_slots());
+    work();
+  };
+  for (int round = 0; round < options.iterations; ++round) {
+    stage([&] { split_long_edges(s); });
+    stage([&] { collapse_short_edges(s); });
+    stage([&] { flip_edges(s); });
+    stage([&] { smooth(s, round == 0 ? first_shake : 0); });
+    stage([&] { flip_edges(s); });
   }
-  if (!context.is_cancelled()) {
+  stage([&] {
     pull_vertices(s);
     approach_input(s);
-  }
-  return transfer_attributes({input, s.patch, s.tree}, s.mesh, context.threads);
+  });
+  progress.next_stage(s.mesh.face_slots());
+  return transfer_attributes({input, s.patch, s.tree}, s.mesh, progress.stage());
 }
 
 }  // namespace craze

@@ -38,8 +38,7 @@ struct RemeshOptions {
 ///
 /// The input must suit the constructor of TriangleMesh (see repair.h); so does the result. Throws
 /// Error(request) for a target that would give more than 50 million triangles or is not positive.
-/// Returns early, with a sound mesh, if the context is cancelled. The same on any number of
-/// threads.
+/// Throws Cancelled. The same on any number of threads.
 SurfaceMesh remesh(const SurfaceMesh& input, const RemeshOptions& options, const Context& context);
 
 }  // namespace craze

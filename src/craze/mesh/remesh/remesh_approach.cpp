@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/base/parallel.h"
+#include "craze/base/reporting_loop.h"
 #include "craze/mesh/remesh/feature_lines.h"
 #include "craze/mesh/remesh/remesh_edges.h"
 #include "craze/mesh/remesh/remesh_vertices.h"
@@ -74,10 +74,11 @@ std::int32_t longest_free_side(const RemeshSurface& s, std::int32_t f) {
 void approach_input(RemeshSurface& s) {
   const int rounds = 10;
   std::vector<Triangle> sound;  // the corners of a slot's face when it was last found near enough
-  for (int round = 0; round < rounds && !s.context.is_cancelled(); ++round) {
+  for (int round = 0; round < rounds; ++round) {
     sound.resize(s.mesh.face_slots(), {-1, -1, -1});
     std::vector<std::int32_t> to_split(sound.size(), -1);
-    parallel_for(s.context.threads, sound.size(), grain, [&](std::size_t begin, std::size_t end) {
+    const Context& stage = s.progress.stage();
+    reporting_loop(stage, "remesh", sound.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t slot = begin; slot < end; ++slot) {
         const auto f = static_cast<std::int32_t>(slot);
         if (sound[f] == s.mesh.triangle(f)) continue;
@@ -91,6 +92,7 @@ void approach_input(RemeshSurface& s) {
     bool again = false;
     std::vector<char> touched(sound.size(), 0);  // its sides are no longer those looked at
     for (const std::int32_t h : to_split) {
+      s.step();
       if (h < 0) continue;
       again = true;
       const std::int32_t o = s.mesh.opposite(h);  // a free edge has two sides

@@ -101,10 +101,11 @@ bool wants_flip(const RemeshSurface& s, std::int32_t h) {
 }  // namespace
 
 void split_long_edges(RemeshSurface& s) {
-  while (!s.context.is_cancelled()) {
+  for (;;) {
     std::vector<LongEdge> edges;
     double longest = 0;
     for (std::int32_t h = 0; h < s.mesh.halfedge_slots(); ++h) {
+      s.step();
       if (!s.mesh.is_edge(h)) continue;
       const LongEdge e = measure(s, h);
       longest = std::max(longest, e.ratio);
@@ -118,6 +119,7 @@ void split_long_edges(RemeshSurface& s) {
     };
     std::for_each(edges.begin(), edges.end(), add);
     while (!queue.empty()) {
+      s.step();
       const LongEdge e = queue.top();
       queue.pop();
       if (s.mesh.from(e.h) != e.from || s.mesh.to(e.h) != e.to) continue;  // split or moved since
@@ -134,6 +136,7 @@ void split_long_edges(RemeshSurface& s) {
 
 void collapse_short_edges(RemeshSurface& s) {
   for (std::int32_t h = 0; h < s.mesh.halfedge_slots(); ++h) {
+    s.step();
     if (!s.mesh.is_edge(h)) continue;
     if (s.edge_length(h) >= too_short * s.wanted_length(s.mesh.from(h), s.mesh.to(h))) continue;
     const std::int32_t o = s.mesh.opposite(h);
@@ -149,6 +152,7 @@ void flip_edges(RemeshSurface& s) {
   for (int sweep = 0, flips = 1; sweep < 12 && flips > 0; ++sweep) {
     flips = 0;
     for (std::int32_t h = 0; h < s.mesh.halfedge_slots(); ++h) {
+      s.step();
       if (!s.mesh.is_edge(h) || !wants_flip(s, h)) continue;
       s.mesh.flip(h);
       ++flips;

@@ -21,10 +21,10 @@ constexpr double most_faces = 50e6;
 }  // namespace
 
 RemeshSurface::RemeshSurface(const SurfaceMesh& input_mesh, const TriangleMesh& topology,
-                             const RemeshOptions& remesh_options, const Context& run)
+                             const RemeshOptions& remesh_options, RemeshProgress& remesh_progress)
     : input(input_mesh),
       options(remesh_options),
-      context(run),
+      progress(remesh_progress),
       variation(options.seed, 1),
       place(options.seed, 2),
       shaking(options.seed, 3),

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "craze/base/random.h"
-#include "craze/context.h"
 #include "craze/mesh/closest_point.h"
 #include "craze/mesh/edit_mesh.h"
 #include "craze/mesh/remesh/remesh.h"
+#include "craze/mesh/remesh/remesh_progress.h"
 #include "craze/mesh/triangle_mesh.h"
 
 namespace craze {
@@ -24,10 +24,12 @@ inline Vec3 cross_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 struct RemeshSurface {
   /// Throws Error where the mesh would have more triangles than anything could use.
   RemeshSurface(const SurfaceMesh& input, const TriangleMesh& topology,
-                const RemeshOptions& options, const Context& context);
+                const RemeshOptions& options, RemeshProgress& progress);
 
   /// Length of a half-edge.
   double edge_length(std::int32_t h) const;
+  /// For every edge, face or vertex looked at in a loop: throws Cancelled (remesh_progress.h).
+  void step() const { progress.step(mesh.face_slots()); }
   /// The length wanted between two neighbours.
   double wanted_length(std::int32_t v, std::int32_t w) const {
     return 0.5 * (wanted[v] + wanted[w]);
@@ -39,7 +41,7 @@ struct RemeshSurface {
 
   const SurfaceMesh& input;
   const RemeshOptions& options;
-  const Context& context;
+  RemeshProgress& progress;
   Random variation, place, shaking;  ///< independent streams of the seed
   double max_distance;               ///< from the input, length
   std::vector<double> lengths;       ///< #V of the input: the length wanted there

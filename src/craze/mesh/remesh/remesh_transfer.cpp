@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "craze/base/parallel.h"
+#include "craze/base/reporting_loop.h"
 #include "craze/mesh/remesh/feature_lines.h"
 
 namespace craze {
@@ -19,8 +19,8 @@ struct Place {
 
 class Transfer {
  public:
-  Transfer(const RemeshSource& source, const EditMesh& mesh, const Threads& threads)
-      : source_(source), mesh_(mesh), threads_(threads) {
+  Transfer(const RemeshSource& source, const EditMesh& mesh, const Context& context)
+      : source_(source), mesh_(mesh), context_(context) {
     made_.triangles = mesh.compact(kept_);
     for (std::int32_t v : kept_) made_.positions.push_back(mesh.position(v));
     for (std::int32_t f = 0; f < mesh.face_slots(); ++f) {
@@ -32,7 +32,9 @@ class Transfer {
     find_normals();
     find_faces();
     find_patches();
+    context_.check();
     find_corners();
+    context_.check();
     fill();
     return std::move(made_);
   }
@@ -57,12 +59,13 @@ class Transfer {
 
   void find_faces() {
     face_.resize(slots_.size());
-    parallel_for(threads_, slots_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      std::int32_t hint = -1;
-      for (std::size_t f = begin; f < end; ++f) {
-        hint = face_[f] = find(middle(f), normals_[f], -1, hint).face;
-      }
-    });
+    reporting_loop(context_, "remesh", slots_.size(), grain,
+                   [&](std::size_t begin, std::size_t end) {
+                     std::int32_t hint = -1;
+                     for (std::size_t f = begin; f < end; ++f) {
+                       hint = face_[f] = find(middle(f), normals_[f], -1, hint).face;
+                     }
+                   });
   }
 
   // Seams part the new mesh as they part the source: each part takes the patch that most of its
@@ -135,13 +138,14 @@ class Transfer {
       const std::int32_t v = made_.triangles[c / 3][c % 3];
       return on_line[v] || first[v] == static_cast<std::int32_t>(c);
     };
-    parallel_for(threads_, slots_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) {
-        for (int i = 0; i < 3; ++i) {
-          if (asks_itself(3 * f + i)) corners_[3 * f + i] = corner_place(f, i);
-        }
-      }
-    });
+    reporting_loop(context_, "remesh", slots_.size(), grain,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t f = begin; f < end; ++f) {
+                       for (int i = 0; i < 3; ++i) {
+                         if (asks_itself(3 * f + i)) corners_[3 * f + i] = corner_place(f, i);
+                       }
+                     }
+                   });
     vertices_.resize(kept_.size());
     for (std::size_t v = 0; v < kept_.size(); ++v) vertices_[v] = corners_[first[v]];
     for (std::size_t c = 0; c < corners_.size(); ++c) {
@@ -200,7 +204,7 @@ class Transfer {
 
   const RemeshSource& source_;
   const EditMesh& mesh_;
-  Threads threads_;
+  const Context& context_;
   SurfaceMesh made_;
   std::vector<std::int32_t> kept_;   // #V: the vertex in mesh_
   std::vector<std::int32_t> slots_;  // #F: the face in mesh_
@@ -214,8 +218,8 @@ class Transfer {
 }  // namespace
 
 SurfaceMesh transfer_attributes(const RemeshSource& source, const EditMesh& mesh,
-                                const Threads& threads) {
-  return Transfer(source, mesh, threads).run();
+                                const Context& context) {
+  return Transfer(source, mesh, context).run();
 }
 
 }  // namespace craze

@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "craze/context.h"
 #include "craze/mesh/closest_point.h"
 #include "craze/mesh/edit_mesh.h"
 #include "craze/surface_mesh.h"
-#include "craze/threads.h"
 
 namespace craze {
 
@@ -17,8 +17,8 @@ struct RemeshSource {
   const ClosestPoint& tree;
 };
 
-/// The mesh's faces as a surface, with every attribute of the source.
+/// The mesh's faces as a surface, with every attribute of the source. Throws Cancelled.
 SurfaceMesh transfer_attributes(const RemeshSource& source, const EditMesh& mesh,
-                                const Threads& threads);
+                                const Context& context);
 
 }  // namespace craze

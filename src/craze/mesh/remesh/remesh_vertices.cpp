@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "craze/base/parallel.h"
+#include "craze/base/reporting_loop.h"
 
 namespace craze {
 
@@ -65,13 +65,15 @@ bool keeps_star(const RemeshSurface& s, std::int32_t v, const Vec3& to, double l
 
 void smooth(RemeshSurface& s, double shaken) {
   std::vector<Move> moves(s.mesh.vertex_count());
-  parallel_for(s.context.threads, moves.size(), grain, [&](std::size_t begin, std::size_t end) {
+  const Context& stage = s.progress.stage();
+  reporting_loop(stage, "remesh", moves.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       moves[v] = find_move(s, static_cast<std::int32_t>(v), shaken);
     }
   });
   for (std::int32_t v = 0; v < s.mesh.vertex_count(); ++v) {
     const Move& m = moves[v];
+    s.step();
     if (!m.wanted) continue;
     // A part of the way where all of it would fold the star.
     const Vec3 from = s.mesh.position(v);
@@ -90,7 +92,8 @@ void smooth(RemeshSurface& s, double shaken) {
 std::vector<std::int32_t> pull_vertices(RemeshSurface& s) {
   std::vector<Move> moves(s.mesh.vertex_count());
   const double enough = 1e-3 * s.max_distance;
-  parallel_for(s.context.threads, moves.size(), grain, [&](std::size_t begin, std::size_t end) {
+  const Context& stage = s.progress.stage();
+  reporting_loop(stage, "remesh", moves.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto v = static_cast<std::int32_t>(i);
       if (!s.mesh.is_vertex(v) || s.mesh.count_marked(v) > 0) continue;
@@ -102,6 +105,7 @@ std::vector<std::int32_t> pull_vertices(RemeshSurface& s) {
   });
   std::vector<std::int32_t> moved;
   for (std::int32_t v = 0; v < static_cast<std::int32_t>(moves.size()); ++v) {
+    s.step();
     if (moves[v].face >= 0) s.near[v] = moves[v].face;
     if (!moves[v].wanted || !keeps_star(s, v, moves[v].to, 0.1)) continue;
     s.mesh.move(v, moves[v].to);

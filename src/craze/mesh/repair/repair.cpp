@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <tuple>
 
 #include "craze/error.h"
-#include "craze/mesh/repair/duplicate_faces.h"
 #include "craze/mesh/mesh_summary.h"
-#include "craze/mesh/repair/pair_edges.h"
 #include "craze/mesh/remesh/surface_source.h"
-#include "craze/mesh/triangle_mesh.h"
+#include "craze/mesh/repair/duplicate_faces.h"
+#include "craze/mesh/repair/pair_edges.h"
 #include "craze/mesh/repair/weld.h"
+#include "craze/mesh/triangle_mesh.h"
 
 namespace craze {
 
@@ -74,18 +75,31 @@ double diagonal_of(const std::vector<Vec3>& positions) {
 // The surface while it is being put in order: faces with neighbours, and what each came from.
 class Workpiece {
  public:
-  Workpiece(const SurfaceMesh& input, RepairReport& report) : input_(input), report_(report) {}
+  Workpiece(const SurfaceMesh& input, RepairReport& report, const Context& context)
+      : input_(input), report_(report), context_(context) {}
 
   SurfaceMesh run(double tolerance) {
+    begin_stage();
     merge_vertices(tolerance);
+    begin_stage();
     drop_faces(std::max(tolerance, 0.0));
+    begin_stage();
     orient();
+    begin_stage();
     separate_fans();
+    begin_stage();
     separate_edges();
+    begin_stage();
     return transfer(input_, std::move(triangles_), source_);
   }
 
  private:
+  void begin_stage() {
+    constexpr double stages = 6;
+    context_.check();
+    context_.report({"repair", stage_++ / stages, 0, std::ssize(input_.triangles)});
+  }
+
   static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
   std::int32_t from(std::int32_t h) const { return triangles_[h / 3][h % 3]; }
   std::int32_t to(std::int32_t h) const { return from(next(h)); }
@@ -256,6 +270,8 @@ class Workpiece {
 
   const SurfaceMesh& input_;
   RepairReport& report_;
+  const Context& context_;
+  int stage_ = 0;  // that begins next
   std::vector<Triangle> triangles_;
   std::vector<std::int32_t> opposite_;  // 3 #F, −1: open
   SurfaceSource source_;
@@ -283,10 +299,12 @@ std::string RepairReport::text() const {
   return text;
 }
 
-SurfaceMesh repair(const SurfaceMesh& input, const RepairOptions& options, RepairReport& report) {
+SurfaceMesh repair(const SurfaceMesh& input, const RepairOptions& options, RepairReport& report,
+                   const Context& context) {
   check_input(input);
   report = {};
-  SurfaceMesh made = Workpiece(input, report).run(options.tolerance * diagonal_of(input.positions));
+  SurfaceMesh made =
+      Workpiece(input, report, context).run(options.tolerance * diagonal_of(input.positions));
   const MeshSummary s = summarize(TriangleMesh(made.positions, made.triangles));
   report.components = s.components;
   report.boundary_loops = s.boundary_loops;

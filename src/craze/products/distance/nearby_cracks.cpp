@@ -55,7 +55,10 @@ class Propagation {
   /// Until nothing is on its way any more. No face that was visited may be reached again.
   void run(const Context& context) {
     for (std::int64_t n = 0; !queue_.empty(); ++n) {
-      if (n % visits_between_polls == 0) context.check();
+      if (n % visits_between_polls == 0) {
+        context.check();
+        context.report({"distance"});
+      }
       const Arrival arrival = queue_.top();
       queue_.pop();
       const NearbyCrack segment = pool_[arrival.segment];

@@ -62,6 +62,8 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, const PostPa
   options.curl = post.curl;
   OpenedSurface surface;
   surface.opened = open_cracks(mesh, displacement, options, context);
+  context.check();
+  context.report({"open", 1});
   surface.mesh = opened_attributes(cut, mesh, surface.opened, post.curl == 0);
   surface.shut = post.gap == 0;
   surface.warnings = opening_warnings(surface.opened, mesh);

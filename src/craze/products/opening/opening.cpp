@@ -75,6 +75,7 @@ OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displa
   if (options.wall > 0) {
     walls = side_walls(mesh, sites, normals, options.wall, options.border_wall);
   }
+  context.check();
   const OpeningMotion motion{mesh, sites, walls, shift};
   const OpeningLimit limit = limit_opening(motion, context);
 
