@@ -15,6 +15,7 @@ development=(
   clang libclang-rt-14-dev libc++-14-dev libc++abi-14-dev  # sanitizers, fuzzing, the core on libc++
   clang-tidy clang-format
   libbenchmark-dev
+  emscripten nodejs                                  # WebAssembly
 )
 
 case "${1:-}" in
