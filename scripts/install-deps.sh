@@ -17,6 +17,7 @@ development=(
   clang-tidy clang-format
   mypy valgrind                                      # types of the Python package, memory of the C interface
   libbenchmark-dev
+  emscripten nodejs                                  # WebAssembly
 )
 
 case "${1:-}" in
