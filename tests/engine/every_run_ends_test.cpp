@@ -82,7 +82,7 @@ TEST(EveryRun, EndsWithEachParameterAtTheEdgesOfItsRange) {
   }
 }
 
-TEST(EveryRun, EndsWithPairsOfParametersAtTheEdgesOfTheirRanges) {
+TEST(EveryRunAtLength, EndsWithPairsOfParametersAtTheEdgesOfTheirRanges) {
   std::vector<const Parameter*> keys;
   for (const Parameter& p : parameter_table()) {
     if (decides(p)) keys.push_back(&p);

@@ -175,11 +175,11 @@ void try_recipes(std::uint64_t first, std::uint64_t count) {
 }
 
 TEST(RandomRecipes, EndInFiniteNumbersAndValidMeshesOrOneLine) {
-  try_recipes(0, 60);
+  try_recipes(0, 30);
 }
 
 TEST(RandomRecipesAtLength, EndInFiniteNumbersAndValidMeshesOrOneLine) {
-  try_recipes(60, 440);
+  try_recipes(30, 470);
 }
 
 }  // namespace

@@ -160,6 +160,26 @@ InitialLoad initial_load(const CrackedSheet& sheet, std::vector<Sym3> growth) {
   return load;
 }
 
+/// Refuses before it starts what would take hours without a crack: too many steps in a round, of
+/// load, or until all is at rest.
+void check_work(const Loading& loading, const Relaxation& relaxation) {
+  constexpr double most_updates = 1e12;  // of elements: about an hour
+  const double round = relaxation.work_of_a_round();
+  const double steps = loading.steps(), rest = relaxation.rounds_to_rest();
+  if (round * std::max(steps, rest) <= most_updates) return;
+  const auto fail = [&](const char* where, const char* why) {
+    std::ostringstream updates;
+    updates << round * std::max(steps, rest);
+    throw Error(ErrorKind::request, "too many steps", where,
+                updates.str() + " updates of a triangle would take hours; " + why);
+  };
+  if (round > most_updates) {
+    fail("evolution.relaxation_steps", "give fewer, or a smaller evolution.time_step");
+  }
+  if (steps >= rest) fail("evolution.max_load", "give less, or more evolution.shrinkage");
+  fail("evolution.time_step", "give a longer one");
+}
+
 }  // namespace
 
 const char* to_string(StopReason reason) {
@@ -191,6 +211,7 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
       watch_(parameters_),
       // Twice the edges of the input: when as many pieces of crack are open, few are left whole.
       most_segments_(3 * std::int64_t{sheet_.mesh().face_count()} + 1000) {
+  check_work(*loading_, *relaxation_);
   // 2. Compute the failure criteria for each node and store them in a priority queue.
   constexpr std::int32_t slice = 1 << 16;
   const std::int32_t nodes = sheet_.mesh().vertex_count();

@@ -50,6 +50,8 @@ class EulerRelaxation {
   void resume(StressField& field, const TriangleMesh& mesh, const Threads& threads,
               const StopQuestion& stop);
   bool has_steps_left() const { return steps_left_ > 0; }
+  /// The bound on the largest eigenvalue of K + κ M, over mass 1.
+  double stiffness() const { return stiffness_.value(); }
   /// Into how many stable steps one is split; 1 when accelerated.
   double parts_of_a_step() const;
 

@@ -1,10 +1,8 @@
 #include "craze/model/relaxation/flow_relaxation.h"
 
+#include <algorithm>
 #include <limits>
-#include <sstream>
-#include <string>
 
-#include "craze/error.h"
 #include "craze/model/failure/failure_criterion.h"
 #include "craze/model/screening.h"
 
@@ -17,15 +15,6 @@ namespace {
 constexpr double rest_force = 1e-7;
 // Nothing more can happen once every force is below this part of it.
 constexpr double equilibrium_force = 1e-3;
-// Element updates between two cracks: about an hour.
-constexpr double most_work = 1e12;
-
-std::string number(double x) {
-  std::ostringstream text;
-  text << x;
-  return text.str();
-}
-
 }  // namespace
 
 FlowRelaxation::FlowRelaxation(const TriangleMesh& mesh, const StressField& field,
@@ -34,16 +23,9 @@ FlowRelaxation::FlowRelaxation(const TriangleMesh& mesh, const StressField& fiel
       failure_force_(typical_failure_force(mesh, parameters.material)),
       flow_(mesh, field,
             {parameters.evolution.time_step, adhesion(parameters.layer),
-             rest_force * failure_force_, parameters.engine == Engine::quasistatic}) {
-  // Accelerated, many steps are few.
-  if (parameters.engine == Engine::quasistatic || work(mesh.face_count()) <= most_work) return;
-  throw Error(ErrorKind::request, "too many relaxation steps",
-              flow_.parts_of_a_step() > 1 ? "evolution.time_step" : "evolution.relaxation_steps",
-              number(static_cast<double>(parameters_.relaxation_steps)) + " of them, each in " +
-                  number(flow_.parts_of_a_step()) + " stable ones, on " +
-                  std::to_string(mesh.face_count()) +
-                  " triangles take hours between two cracks; give fewer, or a smaller time step");
-}
+             rest_force * failure_force_, parameters.engine == Engine::quasistatic}),
+      faces_(mesh.face_count()),
+      accelerated_(parameters.engine == Engine::quasistatic) {}
 
 void FlowRelaxation::mesh_changed(const TriangleMesh&, const CrackOutcome& outcome) {
   changed_faces_.insert(changed_faces_.end(), outcome.changed_faces.begin(),
@@ -71,8 +53,16 @@ bool FlowRelaxation::at_rest() const {
   return !(flow_.largest_force() > equilibrium_force * failure_force_);
 }
 
-double FlowRelaxation::work(std::int32_t faces) const {
+double FlowRelaxation::work_of_a_round() const {
+  const double faces = static_cast<double>(faces_);
+  if (parameters_.relaxation_steps == 0 || accelerated_) return faces;  // many steps are few
   return static_cast<double>(parameters_.relaxation_steps) * flow_.parts_of_a_step() * faces;
+}
+
+double FlowRelaxation::rounds_to_rest() const {
+  const double time = parameters_.time_step * static_cast<double>(parameters_.relaxation_steps);
+  // Forces decay no faster than by exp(−λ t), λ the largest eigenvalue.
+  return time > 0 && flow_.stiffness() > 0 ? std::max(1.0, 1 / (time * flow_.stiffness())) : 1;
 }
 
 double FlowRelaxation::independence_distance() const {

@@ -1,5 +1,7 @@
 #include "craze/model/relaxation/growth_loading.h"
 
+#include <algorithm>
+
 namespace craze {
 
 GrowthLoading::GrowthLoading(const EvolutionParameters& parameters, InitialLoad initial)
@@ -26,6 +28,13 @@ bool GrowthLoading::grow(StressField& field, const TriangleMesh& mesh) {
 bool GrowthLoading::advance(double, bool at_rest) {
   if (grows()) return !reached_max_load();
   return !started_ || !at_rest;
+}
+
+double GrowthLoading::steps() const {
+  if (!grows()) return 1;
+  const double to_add =
+      initial_.tension > 0 ? (parameters_.max_load - 1) * initial_.tension : parameters_.max_load;
+  return std::max(1.0, to_add / rate_);
 }
 
 double GrowthLoading::reported_load() const {

@@ -15,6 +15,7 @@ class GrowthLoading : public Loading {
   double load() const override { return 1; }
   double highest_load() const override { return 1; }
   double time() const override { return time_; }
+  double steps() const override;
   double reported_load() const override;
   bool reached_max_load() const override;
 

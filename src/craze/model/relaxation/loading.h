@@ -36,6 +36,9 @@ class Loading {
   virtual double time() const = 0;
   /// Mean tension over the initial one, for the report.
   virtual double reported_load() const = 0;
+  /// As many times as grow() is called until the highest load is reached, at the most; 1 where the
+  /// load jumps there, or nothing grows.
+  virtual double steps() const { return 1; }
   /// Whether advance() said no because the limit on the load was reached.
   virtual bool reached_max_load() const = 0;
 };

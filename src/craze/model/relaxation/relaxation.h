@@ -36,6 +36,11 @@ class Relaxation {
   /// Gives back memory that only relax() needs, which makes it anew.
   virtual void release_memory() {}
 
+  /// Element updates of a relax() in which nothing is at rest; 0 where they are bounded anyway.
+  virtual double work_of_a_round() const { return 0; }
+  /// As many calls of relax() as it takes at least until all is at rest.
+  virtual double rounds_to_rest() const { return 1; }
+
   /// Whether relax() would change nothing that matters any more.
   virtual bool at_rest() const = 0;
   /// Whether relax() always came as near to equilibrium as was asked for.
@@ -55,7 +60,7 @@ class Relaxation {
 /// steps.
 Engine running_engine(const SimulationParameters& parameters);
 
-/// The relaxation of running_engine(). Throws Error(request) where one relax() would take hours.
+/// The relaxation of running_engine().
 std::unique_ptr<Relaxation> make_relaxation(const TriangleMesh& mesh, const StressField& field,
                                             const SimulationParameters& parameters);
 
