@@ -32,10 +32,10 @@ struct alignas(32) Vec8f {
 };
 
 // Compiles a function twice and picks the wider one at start-up. Without contraction
-// (-ffp-contract=off) both compute the same bits: a build with CRAZE_NARROW, where there is only the
-// narrow one, shows it.
-#if !defined(CRAZE_NARROW) && defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
+// (-ffp-contract=off) both compute the same bits: a build with CRAZE_NARROW, where there is only
+// the narrow one, shows it.
+#if !defined(CRAZE_NARROW) && defined(__x86_64__) && defined(__GNUC__) && \
+    !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
 #define CRAZE_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define CRAZE_WIDE

@@ -47,8 +47,8 @@ void load(const RayScene::Rays& rays, Packet& packet, Mask& valid) {
 
 RayScene::RayScene(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles)
     : handles_(std::make_unique<Handles>()) {
-  // By the widest instruction set there is: Debian's Embree stops at an assertion of its own where a
-  // narrower one is asked for. So rays along an edge may meet another face on another machine.
+  // By the widest instruction set there is: Debian's Embree stops at an assertion of its own where
+  // a narrower one is asked for. So rays along an edge may meet another face on another machine.
   handles_->device = rtcNewDevice(nullptr);
   if (!handles_->device) throw std::bad_alloc();
   handles_->scene = rtcNewScene(handles_->device);

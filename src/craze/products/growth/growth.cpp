@@ -16,8 +16,7 @@ std::vector<double> Growth::openness_at(double time) const {
   openness.reserve(opened_.opened.vertex_of.size());
   for (const std::int32_t v : opened_.opened.vertex_of) {
     const std::int32_t site = times_.sites.site_of[v];
-    openness.push_back(
-        site < 0 ? 0 : CrackSchedule::openness(times_.schedule.sites[site], time));
+    openness.push_back(site < 0 ? 0 : CrackSchedule::openness(times_.schedule.sites[site], time));
   }
   return openness;
 }
