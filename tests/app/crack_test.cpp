@@ -175,7 +175,7 @@ TEST_F(Crack, CtrlCWritesWhatThereIsAndExitsWith130) {
   // Never cracks and never ends.
   const pid_t process =
       start({"crack", "shape:plate?n=20", "-o", "a.ply", "--report", "r.json", "--set",
-             "material.toughness=1e6", "--set", "evolution.shrinkage=1e-9"});
+             "material.toughness=1e6", "--set", "evolution.shrinkage=1e-8"});
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   kill(process, SIGINT);
   const CommandResult result = finish(process);

@@ -36,7 +36,7 @@ DoubleDouble first_octant(double small, double big) {
     small *= scale, big *= scale;
   }
   // arctan q = arctan c + arctan t, t = (q − c) / (1 + q c), |t| ≤ 1/16.
-  const int k = static_cast<int>(8 * (small / big) + 0.5);
+  const int k = static_cast<int>(std::floor(8 * (small / big) + 0.5));
   const double c = 0.125 * k;
   const DoubleDouble down = two_product(c, big), across = two_product(c, small);
   DoubleDouble below = two_sum(big, across.high);

@@ -65,7 +65,7 @@ double erf(double x) {
   if (x != x) return x;
   const double size = std::fabs(x);
   if (size >= 5.9375) return std::copysign(1.0, x);
-  const int k = static_cast<int>(8 * size + 0.5);
+  const int k = static_cast<int>(std::floor(8 * size + 0.5));
   const double c = 0.125 * k, h = size - c;
   // Taylor's series about c: exp(−(c+h)²) = exp(−c²) Σ aₙ hⁿ with
   // aₙ₊₁ = −2 (c aₙ + aₙ₋₁) / (n + 1), integrated term by term.
