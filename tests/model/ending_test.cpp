@@ -122,10 +122,10 @@ TEST(ARun, IsRefusedWhereItsStepsWouldTakeForEver) {
   p.evolution.relaxation_steps = std::int64_t{1} << 53;
   EXPECT_THROW(ends(p), Error);
   p.evolution.relaxation_steps = 1;
-  for (const double time_step : {smallest, largest}) {
-    p.evolution.time_step = time_step;
-    EXPECT_THROW(ends(p), Error);
-  }
+  p.evolution.time_step = largest;
+  EXPECT_THROW(ends(p), Error);
+  p.evolution.time_step = smallest;  // nothing would ever move
+  EXPECT_TRUE(ends(p));
   p = test::small_run();
   p.evolution.shrinkage = 0.5;
   p.evolution.max_load = largest;

@@ -160,24 +160,22 @@ InitialLoad initial_load(const CrackedSheet& sheet, std::vector<Sym3> growth) {
   return load;
 }
 
-/// Refuses before it starts what would take hours without a crack: too many steps in a round, of
-/// load, or until all is at rest.
+/// Refuses before it starts what would take hours without a crack: too many steps in a round, or of
+/// load.
 void check_work(const Loading& loading, const Relaxation& relaxation) {
   constexpr double most_updates = 1e12;  // of elements: about an hour
-  const double round = relaxation.work_of_a_round();
-  const double steps = loading.steps(), rest = relaxation.rounds_to_rest();
-  if (round * std::max(steps, rest) <= most_updates) return;
+  const double round = relaxation.work_of_a_round(), steps = loading.steps();
+  if (round * steps <= most_updates) return;
   const auto fail = [&](const char* where, const char* why) {
     std::ostringstream updates;
-    updates << round * std::max(steps, rest);
+    updates << round * steps;
     throw Error(ErrorKind::request, "too many steps", where,
                 updates.str() + " updates of a triangle would take hours; " + why);
   };
   if (round > most_updates) {
     fail("evolution.relaxation_steps", "give fewer, or a smaller evolution.time_step");
   }
-  if (steps >= rest) fail("evolution.max_load", "give less, or more evolution.shrinkage");
-  fail("evolution.time_step", "give a longer one");
+  fail("evolution.max_load", "give less, or more evolution.shrinkage");
 }
 
 }  // namespace

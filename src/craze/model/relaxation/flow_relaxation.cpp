@@ -15,6 +15,8 @@ namespace {
 constexpr double rest_force = 1e-7;
 // Nothing more can happen once every force is below this part of it.
 constexpr double equilibrium_force = 1e-3;
+// Element updates, about an hour's: steps so short that it takes more move nothing that matters.
+constexpr double most_work = 1e12;
 }  // namespace
 
 FlowRelaxation::FlowRelaxation(const TriangleMesh& mesh, const StressField& field,
@@ -50,6 +52,7 @@ void FlowRelaxation::relax(StressField& field, const TriangleMesh& mesh, double,
 
 bool FlowRelaxation::at_rest() const {
   if (parameters_.relaxation_steps == 0) return true;
+  if (work_of_a_round() * rounds_to_rest() > most_work) return true;
   return !(flow_.largest_force() > equilibrium_force * failure_force_);
 }
 

@@ -19,13 +19,14 @@ class FlowRelaxation : public Relaxation {
              const StopQuestion& stop, std::vector<std::int32_t>& changed) override;
   double allow_drift(std::int32_t v, double force) override { return flow_.allow_drift(v, force); }
   double work_of_a_round() const override;
-  double rounds_to_rest() const override;
   bool at_rest() const override;
   double independence_distance() const override;
   std::int64_t most_cracks_at_once() const override { return parameters_.cracks_per_step; }
   std::int64_t element_updates() const override { return flow_.element_updates(); }
 
  private:
+  double rounds_to_rest() const;
+
   EvolutionParameters parameters_;
   double failure_force_;
   EulerRelaxation flow_;

@@ -38,10 +38,8 @@ class Relaxation {
 
   /// Element updates of a relax() in which nothing is at rest; 0 where they are bounded anyway.
   virtual double work_of_a_round() const { return 0; }
-  /// As many calls of relax() as it takes at least until all is at rest.
-  virtual double rounds_to_rest() const { return 1; }
 
-  /// Whether relax() would change nothing that matters any more.
+  /// Whether relax() would change nothing that matters any more, or not within hours.
   virtual bool at_rest() const = 0;
   /// Whether relax() always came as near to equilibrium as was asked for.
   virtual bool met_tolerance() const { return true; }
