@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Compiles what is built for WebAssembly too (base, mesh, model, recipe, engine, products) against libc++ with clang, to nothing: it will also run where
-# there is no libstdc++, as in WebAssembly.
+# Compiles what is built for WebAssembly too (base, mesh, model, recipe, engine, products) against
+# libc++ with clang, to nothing: it will also run where
+# there is no libstdc++.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 find src/craze/{base,mesh,model,recipe,engine,products} -name '*.cpp' -print0 |
