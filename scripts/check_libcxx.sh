@@ -6,4 +6,4 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 find src/craze/{base,mesh,model,recipe,engine,products} -name '*.cpp' -print0 |
   xargs -0 -n 4 -P "$(nproc)" clang++ -std=c++20 -stdlib=libc++ -fsyntax-only -Wall -Wextra -Werror \
-    -I include -I src -isystem /usr/include/eigen3
+    -DCRAZE_VERSION='""' -I include -I src -isystem /usr/include/eigen3
