@@ -57,7 +57,7 @@ class Progress(Case):
             self.assertTrue(fraction is None or 0 <= fraction <= 1)
             self.assertGreaterEqual(cracks, 0)
             self.assertGreaterEqual(load, 0)
-        self.assertEqual(calls[0][0], "prepare")
+        self.assertEqual(calls[0][0], "repair")
 
     def test_what_it_raises_comes_out(self):
         for raised in (Stop, SystemExit, KeyboardInterrupt):

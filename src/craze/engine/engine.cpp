@@ -62,11 +62,12 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   if (options.max_cracks) report.recipe.simulation.evolution.max_cracks = *options.max_cracks;
   report.threads = context.threads.count();
   report.input = count_mesh(*input.surface);
+  context.report({"repair", 0, 0, report.input.triangles});
   SurfaceMesh surface = repaired(input, report, context);
   input.surface.reset();
   report.time.load = seconds_since(start);
-  context.check();
   context.report({"prepare", -1, 0, count_mesh(surface).triangles});
+  context.check();
 
   SpacedRun run = options.max_cracks == 0
                       ? uncracked(std::move(surface), report.recipe, input.textures, context)
