@@ -1,6 +1,7 @@
 #include "craze/engine/asset/cut_asset.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -97,6 +98,9 @@ CutAsset cut_asset(const SurfaceMesh& asset, const CrackCurves& curves, const Cu
       refined.parts.begin());
   cut.report.traced = tracer.report();
   cut.report.lost_segments = refined.lost_segments;
+  cut.root.resize(refined.positions.size() - refined.root.size());
+  std::iota(cut.root.begin(), cut.root.end(), 0);
+  cut.root.insert(cut.root.end(), refined.root.begin(), refined.root.end());
   cut.positions = std::move(refined.positions);
   cut.triangles = std::move(refined.triangles);
   cut.new_vertices = std::move(refined.new_vertices);

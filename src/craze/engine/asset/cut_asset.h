@@ -47,9 +47,11 @@ struct CutAsset {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
   std::vector<SurfacePoint> new_vertices;  ///< where on the asset those after the asset's own lie
-  std::vector<std::int32_t> face_source;   ///< #F: asset faces
-  std::vector<std::int32_t> parts;         ///< the faces that are parts of a split one, ascending
-  std::vector<Vec3> part_weights;          ///< 3 per part: its corners in face_source; exact sums
+  std::vector<std::int32_t>
+      root;  ///< #V: the vertex that a crack made it a copy of; itself if none
+  std::vector<std::int32_t> face_source;  ///< #F: asset faces
+  std::vector<std::int32_t> parts;        ///< the faces that are parts of a split one, ascending
+  std::vector<Vec3> part_weights;         ///< 3 per part: its corners in face_source; exact sums
   std::vector<CutEdge> edges;
   std::vector<std::int32_t> point_vertex;  ///< per point of the curves one of its vertices
   CutReport report;

@@ -23,9 +23,9 @@ class Halver {
     if (lone_.empty()) return;
     for (const Side& side : find_sides()) halve(side);
     for (const auto& [line, middle] : middles_) {
-      CurveLine& l = refined_.lines[line];
-      refined_.lines.push_back({l.b, middle, l.curve_edge});  // the middle's number is the highest
-      l.b = middle;
+      const CurveLine whole = refined_.lines[line];
+      refined_.lines.push_back({whole.b, middle, whole.curve_edge});  // no site is numbered higher
+      refined_.lines[line].b = middle;
     }
     std::sort(refined_.lines.begin(), refined_.lines.end(),
               [](const CurveLine& a, const CurveLine& b) {

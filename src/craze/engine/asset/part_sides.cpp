@@ -42,21 +42,9 @@ class SideParter {
       : asset_(asset), topology_(topology), sites_(sites), refined_(refined) {}
 
   LineSides run() {
+    index_lines();
     collect_corners();
-    std::vector<std::pair<std::int32_t, std::int32_t>> sides;  // (line, halfedge)
-    for (const Corner& c : corners_) {
-      if (const std::int32_t line = line_between(c.site, c.next); line >= 0) {
-        sides.emplace_back(line, 3 * c.face + c.i);
-      }
-    }
-    std::sort(sides.begin(), sides.end());
-    LineSides result;
-    result.first.assign(refined_.lines.size() + 1, 0);
-    for (const auto& [line, h] : sides) {
-      ++result.first[line + 1];
-      result.halfedges.push_back(h);
-    }
-    std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+    LineSides result = collect_sides();
     for (std::size_t i = 0, j = 0; i < corners_.size(); i = j) {
       while (j < corners_.size() && corners_[j].site == corners_[i].site) ++j;
       part(i, j);
@@ -74,16 +62,19 @@ class SideParter {
     std::int32_t vertex, fan, sector, given;
   };
 
+  void index_lines() {
+    first_line_.assign(sites_.count() + 1, 0);
+    for (const CurveLine& line : refined_.lines) ++first_line_[line.a + 1];
+    std::partial_sum(first_line_.begin(), first_line_.end(), first_line_.begin());
+  }
+
   std::int32_t line_between(std::int32_t a, std::int32_t b) const {
     if (a > b) std::swap(a, b);
-    const auto& lines = refined_.lines;
-    const auto at = std::lower_bound(lines.begin(), lines.end(), CurveLine{a, b, 0},
-                                     [](const CurveLine& l, const CurveLine& m) {
-                                       return l.a < m.a || (l.a == m.a && l.b < m.b);
-                                     });
-    return at != lines.end() && at->a == a && at->b == b
-               ? static_cast<std::int32_t>(at - lines.begin())
-               : -1;
+    if (a + 1 >= static_cast<std::int32_t>(first_line_.size())) return -1;
+    for (std::int32_t k = first_line_[a]; k < first_line_[a + 1]; ++k) {
+      if (refined_.lines[k].b == b) return k;
+    }
+    return -1;
   }
 
   void add_corner(std::int32_t site, std::int32_t face, int i, std::int32_t next,
@@ -116,10 +107,45 @@ class SideParter {
         add_corner(s, h / 3, h % 3, next, prev);
       }
     }
-    std::sort(corners_.begin(), corners_.end(), [](const Corner& a, const Corner& b) {
-      if (a.site != b.site) return a.site < b.site;
-      return a.face != b.face ? a.face < b.face : a.i < b.i;
-    });
+    sort_corners(sites_before);
+  }
+
+  /// By site, then face: counted into place, and the few of a site put in order.
+  void sort_corners(std::int32_t sites) {
+    std::vector<std::int32_t> first(sites + 1, 0);
+    for (const Corner& c : corners_) ++first[c.site + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::int32_t> next(first.begin(), first.end() - 1);
+    std::vector<Corner> sorted(corners_.size());
+    for (const Corner& c : corners_) sorted[next[c.site]++] = c;
+    for (std::int32_t s = 0; s < sites; ++s) {
+      std::sort(sorted.begin() + first[s], sorted.begin() + first[s + 1],
+                [](const Corner& a, const Corner& b) {
+                  return a.face != b.face ? a.face < b.face : a.i < b.i;
+                });
+    }
+    corners_ = std::move(sorted);
+  }
+
+  LineSides collect_sides() const {
+    std::vector<std::int32_t> line(corners_.size());
+    LineSides sides;
+    sides.first.assign(refined_.lines.size() + 1, 0);
+    for (std::size_t c = 0; c < corners_.size(); ++c) {
+      line[c] = line_between(corners_[c].site, corners_[c].next);
+      if (line[c] >= 0) ++sides.first[line[c] + 1];
+    }
+    std::partial_sum(sides.first.begin(), sides.first.end(), sides.first.begin());
+    sides.halfedges.resize(sides.first.back());
+    std::vector<std::int32_t> next(sides.first.begin(), sides.first.end() - 1);
+    for (std::size_t c = 0; c < corners_.size(); ++c) {
+      if (line[c] >= 0) sides.halfedges[next[line[c]]++] = 3 * corners_[c].face + corners_[c].i;
+    }
+    for (std::size_t k = 0; k < refined_.lines.size(); ++k) {
+      std::sort(sides.halfedges.begin() + sides.first[k],
+                sides.halfedges.begin() + sides.first[k + 1]);
+    }
+    return sides;
   }
 
   /// The corners [first, last) round one site.
@@ -184,6 +210,7 @@ class SideParter {
       at = refined_.new_vertices[v - own];
     }
     refined_.new_vertices.push_back(at);
+    refined_.root.push_back(v);
     return made;
   }
 
@@ -191,6 +218,7 @@ class SideParter {
   const AssetTopology& topology_;
   SiteTable& sites_;
   RefinedAsset& refined_;
+  std::vector<std::int32_t> first_line_;  // #sites + 1: lines by their lower site
   std::vector<Corner> corners_;
   std::vector<Spoke> spokes_;
   std::vector<Owner> owners_;

@@ -220,9 +220,9 @@ class Refiner {
       const std::array<std::int32_t, 3> at{site_of_[t[0]], site_of_[t[1]], site_of_[t[2]]};
       if (k == 0) {
         result_.triangles[f] = made;
-        parts_.push_back({f, at});
+        first_parts_.push_back({f, at});
       } else {
-        parts_.push_back({static_cast<std::int32_t>(result_.triangles.size()), at});
+        other_parts_.push_back({static_cast<std::int32_t>(result_.triangles.size()), at});
         result_.triangles.push_back(made);
         result_.face_source.push_back(f);
       }
@@ -263,12 +263,13 @@ class Refiner {
     result_.lines.push_back({a, b, curve_edge});
   }
 
+  /// First parts stand where their faces stood, below all others; both kinds came in order.
   void order_parts() {
-    std::sort(parts_.begin(), parts_.end(),
-              [](const Part& a, const Part& b) { return a.face < b.face; });
-    for (const Part& part : parts_) {
-      result_.parts.push_back(part.face);
-      result_.part_sites.insert(result_.part_sites.end(), part.sites.begin(), part.sites.end());
+    for (const std::vector<Part>* kind : {&first_parts_, &other_parts_}) {
+      for (const Part& part : *kind) {
+        result_.parts.push_back(part.face);
+        result_.part_sites.insert(result_.part_sites.end(), part.sites.begin(), part.sites.end());
+      }
     }
   }
 
@@ -296,7 +297,7 @@ class Refiner {
   std::vector<std::int32_t>
       vertex_;  // #sites: in a face its vertex, on an edge into edge_vertices_
   std::vector<EdgeVertex> edge_vertices_;
-  std::vector<Part> parts_;
+  std::vector<Part> first_parts_, other_parts_;
   // The present face.
   FaceDrawing drawing_;
   FaceTriangulator triangulator_;

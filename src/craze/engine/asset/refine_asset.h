@@ -24,6 +24,7 @@ struct RefinedAsset {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
   std::vector<SurfacePoint> new_vertices;  ///< on the asset, for vertices after the asset's own
+  std::vector<std::int32_t> root;          ///< copies (part_sides.h): what each is a copy of
   std::vector<std::int32_t> face_source;   ///< #F: asset faces
   std::vector<std::int32_t> parts;         ///< the faces that are parts of a split one, ascending
   std::vector<std::int32_t> part_sites;    ///< 3 per part: the sites at its corners
