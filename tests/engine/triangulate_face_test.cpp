@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <queue>
 #include <set>
 #include <utility>
@@ -140,7 +141,7 @@ TEST(TriangulatedFace, WithoutSegmentsItIsDelaunayInTheFacesOwnMetric) {
   for (const auto& [ends, sum] : angle) {
     if (sides[ends] != 2) continue;
     ++inner;
-    EXPECT_LE(sum, M_PI + 1e-6);
+    EXPECT_LE(sum, std::numbers::pi + 1e-6);
   }
   EXPECT_GT(inner, 400);
 }
