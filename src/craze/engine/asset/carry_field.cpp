@@ -1,0 +1,103 @@
+#include "craze/engine/asset/carry_field.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "craze/base/segment_distance.h"
+#include "craze/mesh/closest_point.h"
+
+namespace craze {
+
+namespace {
+
+/// #V: the lowest vertex of each vertex's part. Parts are joined by vertices.
+std::vector<std::int32_t> parts_of(const CutAsset& cut) {
+  std::vector<std::int32_t> parent(cut.positions.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto find = [&](std::int32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const Triangle& t : cut.triangles) {
+    for (const int i : {1, 2}) {
+      const std::int32_t a = find(t[0]), b = find(t[i]);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (std::size_t v = 0; v < parent.size(); ++v) parent[v] = find(static_cast<std::int32_t>(v));
+  return parent;
+}
+
+/// #V: the simulation's part that most crack sides of the vertex's part name; −1 where none does.
+std::vector<std::int32_t> matching_parts(const CutAsset& cut, const FieldSource& source) {
+  const std::vector<std::int32_t> part = parts_of(cut);
+  std::vector<std::pair<std::int32_t, std::int32_t>> votes;  // (asset's part, simulation's)
+  for (const CutEdge& edge : cut.edges) {
+    for (std::size_t s = 0; s < 2; ++s) {
+      const std::int32_t face = source.sides[edge.curve_edge].face[s];
+      if (edge.side[s] < 0 || face < 0) continue;
+      votes.emplace_back(part[cut.triangles[edge.side[s] / 3][0]], source.parts[face]);
+    }
+  }
+  std::sort(votes.begin(), votes.end());
+  std::vector<std::int32_t> match(cut.positions.size(), -1);
+  std::vector<std::ptrdiff_t> most(cut.positions.size(), 0);
+  for (auto i = votes.begin(), j = i; i != votes.end(); i = j) {
+    j = std::upper_bound(i, votes.end(), *i);
+    if (j - i <= most[i->first]) continue;
+    most[i->first] = j - i;
+    match[i->first] = i->second;
+  }
+  for (std::size_t v = 0; v < match.size(); ++v) match[v] = match[part[v]];
+  return match;
+}
+
+}  // namespace
+
+std::vector<Vec3> carry_field(const CutAsset& cut, const CrackCurves& curves,
+                              const FieldSource& source) {
+  std::vector<Vec3> values(cut.positions.size(), Vec3::Zero());
+  std::vector<std::int32_t> count(cut.positions.size(), 0);
+  for (const CutEdge& edge : cut.edges) {
+    const auto& ends = curves.edges[edge.curve_edge];
+    const Vec3 &a = cut.positions[cut.point_vertex[ends[0]]],
+               &b = cut.positions[cut.point_vertex[ends[1]]];
+    for (std::size_t s = 0; s < 2; ++s) {
+      const std::int32_t h = edge.side[s];
+      if (h < 0) continue;
+      const std::array<Vec3, 2>& of_end = source.sides[edge.curve_edge].value[s];
+      for (const std::int32_t v :
+           {cut.triangles[h / 3][h % 3], cut.triangles[h / 3][(h + 1) % 3]}) {
+        const double t = nearest_on_segment(cut.positions[v], a, b);
+        values[v] += (1 - t) * of_end[0] + t * of_end[1];
+        ++count[v];
+      }
+    }
+  }
+  const std::vector<std::int32_t> match = matching_parts(cut, source);
+  const ClosestPoint tree(source.mesh.positions(), source.mesh.triangles(), source.parts);
+  std::vector<Vec3> normal(cut.positions.size(), Vec3::Zero());
+  for (const Triangle& t : cut.triangles) {
+    const Vec3& p = cut.positions[t[0]];
+    const Vec3 n = (cut.positions[t[1]] - p).cross(cut.positions[t[2]] - p);
+    for (const std::int32_t v : t) normal[v] += n;
+  }
+  std::int32_t hint = -1;
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    if (count[v] > 0) {
+      values[v] /= count[v];
+      continue;
+    }
+    ClosestPoint::Hit hit = tree.find(cut.positions[v], {normal[v], match[v], hint});
+    if (hit.face < 0) hit = tree.find(cut.positions[v], {Vec3::Zero(), match[v], -1});
+    hint = hit.face;
+    if (hit.face < 0) continue;
+    const Triangle& t = source.mesh.triangle(hit.face);
+    for (int i = 0; i < 3; ++i) values[v] += hit.weights[i] * source.field[t[i]];
+  }
+  return values;
+}
+
+}  // namespace craze

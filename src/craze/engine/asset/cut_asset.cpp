@@ -1,0 +1,113 @@
+#include "craze/engine/asset/cut_asset.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "craze/engine/asset/asset_topology.h"
+#include "craze/engine/asset/curve_sites.h"
+#include "craze/engine/asset/lone_lines.h"
+#include "craze/engine/asset/part_sides.h"
+#include "craze/engine/asset/refine_asset.h"
+#include "craze/error.h"
+
+namespace craze {
+
+namespace {
+
+void check(const SurfaceMesh& asset, const CrackCurves& curves) {
+  for (std::size_t p = 0; p < curves.points.size(); ++p) {
+    const SurfacePoint& at = curves.points[p];
+    if (at.face < 0 || at.face >= static_cast<std::int32_t>(asset.triangles.size()) ||
+        !at.weights.allFinite()) {
+      throw Error(ErrorKind::request, "bad curve", "point " + std::to_string(p),
+                  "it lies on no face of the asset");
+    }
+  }
+  const auto points = static_cast<std::int32_t>(curves.points.size());
+  for (std::size_t e = 0; e < curves.edges.size(); ++e) {
+    for (const std::int32_t p : curves.edges[e]) {
+      if (p >= 0 && p < points) continue;
+      throw Error(ErrorKind::request, "bad curve", "edge " + std::to_string(e),
+                  "it ends at no point");
+    }
+  }
+}
+
+/// How far along the curve edge's chord a point lies.
+double along(const CutAsset& cut, const std::array<std::int32_t, 2>& ends, std::int32_t v) {
+  const Vec3& a = cut.positions[cut.point_vertex[ends[0]]];
+  const Vec3& b = cut.positions[cut.point_vertex[ends[1]]];
+  return (cut.positions[v] - a).dot(b - a);
+}
+
+void find_edges(CutAsset& cut, const CrackCurves& curves, const std::vector<CurveLine>& lines,
+                const LineSides& sides) {
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    CutEdge edge{lines[k].curve_edge, {-1, -1}};
+    for (std::int32_t s = sides.first[k]; s < sides.first[k + 1]; ++s) {
+      const std::int32_t h = sides.halfedges[s];
+      const Triangle& t = cut.triangles[h / 3];
+      const auto& ends = curves.edges[edge.curve_edge];
+      const bool forward = along(cut, ends, t[(h + 1) % 3]) > along(cut, ends, t[h % 3]);
+      std::int32_t& own = edge.side[forward ? 0 : 1];
+      std::int32_t& other = edge.side[forward ? 1 : 0];
+      (own < 0 ? own : other) = h;
+    }
+    cut.edges.push_back(edge);
+  }
+}
+
+}  // namespace
+
+CutAsset cut_asset(const SurfaceMesh& asset, const CrackCurves& curves, const CutOptions& options) {
+  check(asset, curves);
+  const AssetTopology topology(asset.positions, asset.triangles);
+  SiteTable sites(asset, topology, options.snap);
+  std::vector<std::int32_t> points;
+  for (const SurfacePoint& p : curves.points) points.push_back(sites.at(p));
+  CurveTracer tracer(asset, topology, sites);
+  std::vector<CurvePiece> pieces;
+  for (std::size_t e = 0; e < curves.edges.size(); ++e) {
+    tracer.trace(points[curves.edges[e][0]], points[curves.edges[e][1]],
+                 static_cast<std::int32_t>(e), pieces);
+  }
+  RefinedAsset refined = refine_asset(asset, topology, sites, pieces, points, options.snap);
+  halve_lone_lines(topology, sites, refined);
+  const LineSides sides = part_sides(asset, topology, sites, refined);
+
+  CutAsset cut;
+  std::vector<std::int32_t> vertex(sites.count(), -1);  // of each site
+  for (std::size_t p = 0; p < refined.parts.size(); ++p) {
+    const std::int32_t f = refined.parts[p];
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t site = refined.part_sites[3 * p + i];
+      cut.part_weights.push_back(weights_of(sites.in_face(site, refined.face_source[f])));
+      if (vertex[site] < 0) vertex[site] = refined.triangles[f][i];
+    }
+  }
+  for (const std::int32_t s : points) {
+    const std::int32_t site = refined.same_site[s];
+    const bool is_corner = sites[site].kind == SiteKind::place;
+    cut.point_vertex.push_back(is_corner ? sites[site].where : vertex[site]);
+  }
+  cut.report.split_faces = static_cast<std::int32_t>(
+      std::lower_bound(refined.parts.begin(), refined.parts.end(),
+                       static_cast<std::int32_t>(asset.triangles.size())) -
+      refined.parts.begin());
+  cut.report.traced = tracer.report();
+  cut.report.lost_segments = refined.lost_segments;
+  cut.root.resize(refined.positions.size() - refined.root.size());
+  std::iota(cut.root.begin(), cut.root.end(), 0);
+  cut.root.insert(cut.root.end(), refined.root.begin(), refined.root.end());
+  cut.positions = std::move(refined.positions);
+  cut.triangles = std::move(refined.triangles);
+  cut.new_vertices = std::move(refined.new_vertices);
+  cut.face_source = std::move(refined.face_source);
+  cut.parts = std::move(refined.parts);
+  find_edges(cut, curves, refined.lines, sides);
+  return cut;
+}
+
+}  // namespace craze

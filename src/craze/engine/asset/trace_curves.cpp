@@ -1,0 +1,148 @@
+#include "craze/engine/asset/trace_curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace craze {
+
+namespace {
+
+constexpr int most_halvings = 6;
+constexpr int most_steps = 20000;     // of one walk
+constexpr double longest_way = 4;     // in lengths of the chord
+constexpr double least_slope = 0.05;  // sine between chord and normal: below, no plane is theirs
+constexpr double straight_on = 0.5;   // cosine: less is not ahead
+
+}  // namespace
+
+CurveTracer::CurveTracer(const SurfaceMesh& asset, const AssetTopology& topology, SiteTable& sites)
+    : asset_(asset), topology_(topology), sites_(sites) {}
+
+Vec3 CurveTracer::area_normal(std::int32_t face) const {
+  const Triangle& t = asset_.triangles[face];
+  const Vec3& p = asset_.positions[t[0]];
+  return (asset_.positions[t[1]] - p).cross(asset_.positions[t[2]] - p);
+}
+
+Vec3 CurveTracer::normal(std::int32_t site) const {
+  Vec3 sum = Vec3::Zero();
+  const bool is_edge = sites_[site].kind == SiteKind::edge;
+  sites_.for_each_face(site, [&](std::int32_t f) {
+    const Vec3 n = area_normal(f);
+    sum += is_edge ? n.stableNormalized() : n;
+    return true;
+  });
+  return sum.stableNormalized();
+}
+
+void CurveTracer::trace(std::int32_t from, std::int32_t to, std::int32_t curve_edge,
+                        std::vector<CurvePiece>& pieces) {
+  trace(from, to, curve_edge, 0, pieces);
+}
+
+void CurveTracer::trace(std::int32_t from, std::int32_t to, std::int32_t curve_edge, int depth,
+                        std::vector<CurvePiece>& pieces) {
+  if (from == to) return;
+  if (const std::int32_t f = sites_.common_face(from, to); f >= 0) {
+    pieces.push_back({f, from, to, curve_edge});
+    return;
+  }
+  const Vec3 a = normal(from), b = normal(to);
+  if (walk(from, to, a + b, curve_edge, pieces)) return;
+  const std::int32_t half = depth < most_halvings ? middle(from, to) : -1;
+  if (half < 0 || half == from || half == to) {
+    ++report_.lost;
+    report_.lost_length += (sites_.position(to) - sites_.position(from)).norm();
+    return;
+  }
+  ++report_.halved;
+  trace(from, half, curve_edge, depth + 1, pieces);
+  trace(half, to, curve_edge, depth + 1, pieces);
+}
+
+/// The asset's point nearest to the middle of the chord, not looking away from its ends.
+std::int32_t CurveTracer::middle(std::int32_t from, std::int32_t to) {
+  if (!tree_) tree_ = std::make_unique<ClosestPoint>(asset_.positions, asset_.triangles);
+  const Vec3 a = sites_.position(from), b = sites_.position(to);
+  ClosestPoint::Filter filter;
+  filter.normal = normal(from) + normal(to);
+  const ClosestPoint::Hit hit = tree_->find(0.5 * (a + b), filter);
+  if (hit.face < 0 || hit.distance > 0.5 * (b - a).norm()) return -1;
+  return sites_.at({hit.face, hit.weights});
+}
+
+bool CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
+                       std::int32_t curve_edge, std::vector<CurvePiece>& pieces) {
+  const std::size_t before = pieces.size();
+  const Vec3 start = sites_.position(from), target = sites_.position(to);
+  double rest = longest_way * (target - start).norm();
+  const auto fail = [&] {
+    pieces.resize(before);
+    return false;
+  };
+  std::int32_t site = from, face = -1;
+  Vec3 origin = start, across = Vec3::Zero();
+  for (int step = 0; step < most_steps; ++step) {
+    if (const std::int32_t f = sites_.common_face(site, to); f >= 0) {
+      pieces.push_back({f, site, to, curve_edge});
+      return true;
+    }
+    if (step == 0 || sites_[site].kind == SiteKind::place) {  // a vertex may lie beside the plane
+      origin = sites_.position(site);
+      const Vec3 way = (target - origin).stableNormalized();
+      across = normal.stableNormalized().cross(way);
+      if (across.norm() < least_slope) return fail();
+    } else if (topology_.sides(sites_[site].where).size() != 2) {
+      return fail();
+    }
+    const Step next = best_step(site, face, origin, across, target);
+    if (next.face < 0) return fail();
+    const std::int32_t reached = sites_.on_halfedge(next.halfedge, next.share);
+    if (reached == site) return fail();
+    rest -= (sites_.position(reached) - sites_.position(site)).norm();
+    if (rest < 0) return fail();
+    pieces.push_back({next.face, site, reached, curve_edge});
+    site = reached;
+    face = next.face;
+  }
+  return fail();
+}
+
+/// Where the plane through origin, perpendicular to `across`, leaves the faces that touch a site:
+/// out of the one face after last_face if the site lies inside an edge, else most straight ahead.
+CurveTracer::Step CurveTracer::best_step(std::int32_t site, std::int32_t last_face,
+                                         const Vec3& origin, const Vec3& across,
+                                         const Vec3& target) const {
+  const Vec3 here = sites_.position(site), way = (target - here).stableNormalized();
+  const Site& s = sites_[site];
+  Step best;
+  Step along;  // to the corner most straight ahead, where the plane holds an edge
+  sites_.for_each_face(site, [&](std::int32_t f) {
+    if (f == last_face) return true;
+    double height[3];
+    for (int i = 0; i < 3; ++i) {
+      height[i] = across.dot(asset_.positions[topology_.from(3 * f + i)] - origin);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t h = 3 * f + i;
+      const double a = height[i], b = height[(i + 1) % 3];
+      const Vec3 &pa = asset_.positions[topology_.from(h)], &pb = asset_.positions[topology_.to(h)];
+      const double straight = way.dot((pa - here).stableNormalized());
+      if (straight > along.ahead && pa != here) along = {f, h, 0, straight};
+      const bool own = s.kind == SiteKind::place
+                           ? topology_.from(h) == s.where || topology_.to(h) == s.where
+                           : s.kind == SiteKind::edge && topology_.edge(h) == s.where;
+      if (own || topology_.edge(h) < 0 || (a > 0) == (b > 0)) continue;
+      const double share = a / (a - b);
+      const Vec3 x = pa + share * (pb - pa);
+      const double ahead = way.dot((x - here).stableNormalized());
+      if (ahead > best.ahead) best = {f, h, share, ahead};
+    }
+    return true;
+  });
+  if (s.kind == SiteKind::edge && last_face >= 0 && best.face >= 0) return best;
+  if (best.ahead > straight_on) return best;
+  return along.ahead > straight_on ? along : Step();
+}
+
+}  // namespace craze
