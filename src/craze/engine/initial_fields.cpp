@@ -95,14 +95,6 @@ std::vector<PreferredDirection> preferred_per_face(const TriangleMesh& mesh,
   return face;
 }
 
-double mean_edge(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
-    sum += (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
-  }
-  return mesh.face_count() > 0 ? sum / (3.0 * mesh.face_count()) : 0;
-}
-
 /// κ = 1/ℓ², so that a painted factor m on the spacing, and with it on ℓ, is 1/m² on κ. Where it is
 /// 0 no crack runs and the layer's adhesion stays as it is. An ℓ far below the mesh's edges acts
 /// like one of a part of them, and is taken as that: where a mask fades to 0, κ would grow without
@@ -113,7 +105,9 @@ std::vector<double> adhesion_scale(const TriangleMesh& mesh, const SimulationPar
   std::vector<double> scale = spacing_multiplier(mesh, p.layer, input).face;
   constexpr double shortest = 0.25;  // ℓ, in mean edges
   const double length = p.layer.screening_length;
-  const double least = length > 0 ? std::min(1.0, shortest * mean_edge(mesh) / length) : 0;
+  const double least =
+      length > 0 ? std::min(1.0, shortest * mean_edge(mesh.positions(), mesh.triangles()) / length)
+                 : 0;
   for (double& m : scale) {
     const double bounded = std::max(m, least);
     m = m > 0 ? 1 / (bounded * bounded) : 1;

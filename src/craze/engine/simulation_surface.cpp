@@ -12,22 +12,12 @@ namespace {
 // Of the screening length: fine enough to resolve how a crack unloads its surroundings.
 constexpr double edge_per_screening_length = 0.25;
 
-double mean_edge(const SurfaceMesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    for (int i = 0; i < 3; ++i) {
-      sum += (mesh.positions[t[(i + 1) % 3]] - mesh.positions[t[i]]).norm();
-    }
-  }
-  return sum / (3 * static_cast<double>(mesh.triangles.size()));
-}
-
 /// The edge length to remesh to; 0: not at all.
 double target_edge(const SurfaceMesh& surface, const Recipe& recipe) {
   const EdgeLength& edge = recipe.mesh.edge;
   if (edge.kind != EdgeLength::Kind::automatic) return edge.length;
   const double target = edge_per_screening_length * recipe.simulation.layer.screening_length;
-  return target > 0 && mean_edge(surface) > target ? target : 0;
+  return target > 0 && mean_edge(surface.positions, surface.triangles) > target ? target : 0;
 }
 
 /// #F, 1 for marked faces and those that share a vertex with one: a face of the finer mesh takes
@@ -46,6 +36,14 @@ std::vector<std::uint8_t> touching_faces(const SurfaceMesh& mesh,
 }
 
 }  // namespace
+
+double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
+  double sum = 0;
+  for (const Triangle& t : triangles) {
+    for (int i = 0; i < 3; ++i) sum += (positions[t[(i + 1) % 3]] - positions[t[i]]).norm();
+  }
+  return sum / (3 * static_cast<double>(triangles.size()));
+}
 
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
                                      const Context& context) {

@@ -18,6 +18,10 @@ struct SimulationSurface {
   std::vector<std::uint8_t> forbidden;
 };
 
+/// Mean length of the triangles' edges, those between two triangles counted twice; there must be a
+/// triangle.
+double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles);
+
 /// mesh.edge "keep": the input itself. A length: remeshed to it. "auto": remeshed to a quarter of
 /// the screening length where the input's edges are longer than that on average, else the input
 /// itself. Throws Error(request) for a spacing or edge that the object or this machine's memory is
