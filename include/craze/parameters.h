@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "craze/length.h"
 #include "craze/tensor.h"
 
 namespace craze {
@@ -26,10 +27,10 @@ struct StressParameters {
   double uniform = 1;                ///< isotropic tension
   std::array<double, 6> tensor{};    ///< sxx syy szz sxy syz szx, world axes
   double noise = 0.05;               ///< relative standard deviation
-  double noise_length = 0;           ///< correlation length; 0: per triangle
+  Length noise_length = 0;           ///< correlation length; 0: per triangle
   double relative_noise_length = 0;  ///< noise_length as a multiple of ℓ, where that is 0
   double curvature = 0;              ///< times the curvature tensor
-  double curvature_radius = 0;       ///< 0: twice the mean edge
+  Length curvature_radius = 0;       ///< 0: twice the mean edge
   std::string attribute;             ///< of the input, added
   std::string texture;               ///< grey image in UV space, multiplied in
 };
@@ -37,7 +38,7 @@ struct StressParameters {
 /// [[impact]]: a stress pattern around a point of the surface.
 struct Impact {
   Vec3 point = Vec3::Zero();
-  double radius = 1;
+  Length radius = 1;
   double radial = 0;          ///< amplitude of the tension along the rays: opens rings
   double hoop = 1;            ///< amplitude of the tension around the point: opens rays
   double falloff = 2;         ///< exponent of the decay beyond the radius
@@ -52,11 +53,11 @@ struct MaterialParameters {
   Criterion criterion = Criterion::force;
   double alpha = 0.5;             ///< α of Eq. 8
   double relative_toughness = 0;  ///< toughness over strength · √ℓ; 0: toughness as given
-  double process_zone = 0;        ///< length around a tip in which no other node fails; 0: ℓ / 2
+  Length process_zone = 0;        ///< length around a tip in which no other node fails; 0: ℓ / 2
   double scatter = 0;             ///< relative scatter of the strength
-  double scatter_length = 0;      ///< its correlation length; 0: the stress's noise_length
+  Length scatter_length = 0;      ///< its correlation length; 0: the stress's noise_length
   double relative_scatter_length = 0;  ///< scatter_length as a multiple of ℓ, where that is 0
-  double lookahead = 0;           ///< length ahead of a tip by whose stress it turns; 0: its own ς
+  Length lookahead = 0;           ///< length ahead of a tip by whose stress it turns; 0: its own ς
   double relative_lookahead = 0;  ///< lookahead as a multiple of ℓ, where that is 0
   CurvatureScale curvature_scale = CurvatureScale::none;
   double bias = 0;        ///< preference for principal directions (Fig. 2)
@@ -66,9 +67,9 @@ struct MaterialParameters {
 
 /// [layer]
 struct LayerParameters {
-  double spacing = 0;           ///< asked-for spacing of the cracks
+  Length spacing = 0;           ///< asked-for spacing of the cracks
   double relative_spacing = 0;  ///< the spacing as part of the object's diagonal
-  double screening_length = 0;  ///< ℓ; 0: no adhesion
+  Length screening_length = 0;  ///< ℓ; 0: no adhesion
   std::int64_t rounds = 0;      ///< times ℓ is put right by the spacing that came out
   std::string attribute;        ///< of the input, multiplies the spacing; 0: no crack, ever
   std::string texture;          ///< grey image in UV space, multiplied in too

@@ -18,18 +18,19 @@ struct EdgeLength {
     given,      ///< `length`
   };
   Kind kind = Kind::automatic;
-  double length = 0;  ///< target edge length, model units; 0 unless given
+  Length length = 0;  ///< target edge length; 0 unless given
 };
 
 /// [mesh]
 struct MeshParameters {
   EdgeLength edge;
+  LengthUnit unit = LengthUnit::own;  ///< the mesh's, where its file says none; own: not known
 };
 
 /// [post]: §5 of the paper, done to the finished mesh.
 struct PostParameters {
   double gap = 0;   ///< γ of Eq. 9
-  double wall = 0;  ///< depth of the side walls, model units
+  Length wall = 0;  ///< depth of the side walls
   double curl = 0;  ///< lift at a crack, as a share of the displacement there
 };
 

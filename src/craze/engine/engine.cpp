@@ -5,6 +5,9 @@
 #include "craze/engine/cracked_surface.h"
 #include "craze/engine/spacing_rounds.h"
 #include "craze/error.h"
+#include "craze/model/screening.h"
+#include "craze/recipe/length_text.h"
+#include "craze/recipe/own_lengths.h"
 #include "craze/repair.h"
 
 namespace craze {
@@ -22,6 +25,12 @@ SurfaceMesh repaired(const Input& input, Report& report, const Context& context)
                 "the mesh has no triangle with area");
   }
   return surface;
+}
+
+void warn_of_unused_unit(Report& report, const SurfaceMesh& surface) {
+  const double given = metres(report.recipe.mesh.unit);
+  if (given == 0 || surface.metres_per_unit == 0 || given == surface.metres_per_unit) return;
+  report.warnings.push_back("the file says its own unit, which stands (mesh.unit)");
 }
 
 double total_length(const CrackNetwork& network) {
@@ -61,10 +70,14 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   report.recipe = recipe;
   if (options.max_cracks) report.recipe.simulation.evolution.max_cracks = *options.max_cracks;
   report.threads = context.threads.count();
+  const double unit = metres_per_unit(*input.surface, recipe);
+  check_units(recipe, unit);
+  warn_of_unused_unit(report, *input.surface);
   report.input = count_mesh(*input.surface);
   context.report({"repair", 0, 0, report.input.triangles});
   SurfaceMesh surface = repaired(input, report, context);
   input.surface.reset();
+  report.recipe = with_own_lengths(report.recipe, {bounding_diagonal(surface.positions), unit});
   report.time.load = seconds_since(start);
   context.report({"prepare", -1, 0, count_mesh(surface).triangles});
   context.check();

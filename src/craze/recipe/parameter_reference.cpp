@@ -29,6 +29,7 @@ std::string allowed(const Parameter& p) {
     case ParameterType::integer:
       return "whole number, " + range_in_words(p.range, p.type);
     case ParameterType::real:
+    case ParameterType::length:
       break;
   }
   return range_in_words(p.range, p.type);

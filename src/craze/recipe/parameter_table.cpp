@@ -37,7 +37,11 @@ std::vector<Parameter> make_table() {
            {.help = "edge length of the simulation mesh; \"keep\": the input's triangles",
             .symbol = "h",
             .unit = "length",
-            .choices = {"auto", "keep"}});
+            .choices = {"auto", "keep"}})
+      .add("unit", &MeshParameters::unit, any,
+           {.help = "unit of the input, where its file says none (glTF is in metres): what lengths "
+                    "such as 4mm are measured in",
+            .choices = {"none", "um", "mm", "cm", "m", "km", "in", "ft"}});
 
   Section(
       t, "stress.", [](auto& r, std::size_t) -> auto& { return r.simulation.stress; })
@@ -77,8 +81,9 @@ std::vector<Parameter> make_table() {
 
   Section(
       t, "impact.", [](auto& r, std::size_t index) -> auto& { return r.simulation.impacts[index]; })
-      .add("point", &Impact::point, any,
-           {.help = "where the surface is hit", .unit = "length", .source = "[IO06 §4.1, Fig. 3]"})
+      .add(
+          "point", &Impact::point, any,
+          {.help = "where the surface is hit", .unit = "position", .source = "[IO06 §4.1, Fig. 3]"})
       .add("radius", &Impact::radius, positive,
            {.help = "within it the amplitudes hold in full", .unit = "length"})
       .add("radial", &Impact::radial, any,

@@ -51,6 +51,7 @@ struct Formatter {
 std::string type_name(ParameterType type) {
   switch (type) {
     case ParameterType::real:
+    case ParameterType::length:
       return "real";
     case ParameterType::integer:
       return "integer";
@@ -86,6 +87,8 @@ std::string type_in_words(ParameterType type) {
       return "three numbers [x, y, z]";
     case ParameterType::tensor6:
       return "six numbers [xx, yy, zz, xy, yz, zx]";
+    case ParameterType::length:
+      return "a number, or one with a unit, such as 4mm or 3%";
     case ParameterType::edge:
       return "\"auto\", \"keep\" or a length";
   }

@@ -160,7 +160,7 @@ Target find_target(const Recipe& recipe, const std::string& key, const std::stri
 
 bool takes_words(ParameterType type) {
   return type == ParameterType::string || type == ParameterType::choice ||
-         type == ParameterType::edge;
+         type == ParameterType::length || type == ParameterType::edge;
 }
 
 /// Numbers as people write them, ".06", "1.", "+1", as TOML wants them: "0.06", "1.0", "+1". All
@@ -182,7 +182,7 @@ std::string with_whole_numbers(const std::string& text) {
 toml::table parse_setting(const Parameter& p, const std::string& text, const std::string& where) {
   const bool quoted = !text.empty() && (text[0] == '"' || text[0] == '\'');
   toml::table table;
-  if (p.type == ParameterType::edge || quoted || !takes_words(p.type)) {
+  if (p.is_length() || quoted || !takes_words(p.type)) {
     try {
       check_nesting(text, where);
       table = toml::parse("value = " + (quoted ? text : with_whole_numbers(text)));

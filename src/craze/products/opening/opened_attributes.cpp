@@ -54,6 +54,7 @@ void add_materials(SurfaceMesh& result, const SurfaceMesh& cut_surface,
 SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh& cut,
                               const OpenedMesh& opened, bool keep_normals) {
   SurfaceMesh result;
+  result.metres_per_unit = cut_surface.metres_per_unit;
   result.positions = opened.mesh.positions;
   result.triangles = opened.mesh.triangles;
   const std::vector<std::int32_t> parent = parents(cut, opened);
