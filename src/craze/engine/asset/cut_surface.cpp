@@ -95,6 +95,8 @@ SurfaceMesh cut_surface(const SurfaceMesh& asset, const CutAsset& cut) {
   }
   result.face_materials = face_values(asset.face_materials, cut);
   result.material_names = asset.material_names;
+  result.face_objects = face_values(asset.face_objects, cut);
+  result.object_names = asset.object_names;
   result.source_faces =
       asset.source_faces.empty() ? cut.face_source : face_values(asset.source_faces, cut);
   return result;

@@ -49,6 +49,8 @@ SurfaceMesh transfer(const SurfaceMesh& old, std::vector<Triangle> triangles,
       });
   made.face_materials = gather(old.face_materials, source.faces);
   made.material_names = old.material_names;
+  made.face_objects = gather(old.face_objects, source.faces);
+  made.object_names = old.object_names;
   made.source_faces =
       old.source_faces.empty() ? source.faces : gather(old.source_faces, source.faces);
   for (const Attribute& a : old.vertex_attributes) {

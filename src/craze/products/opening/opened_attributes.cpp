@@ -91,6 +91,12 @@ SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh
   for (std::size_t f = 0; f < faces; ++f) {
     result.source_faces.push_back(opened.face_of[f] < 0 ? -1 : cut_surface.source_faces[parent[f]]);
   }
+  result.object_names = cut_surface.object_names;
+  for (const std::int32_t f : parent) {
+    if (!cut_surface.face_objects.empty()) {
+      result.face_objects.push_back(cut_surface.face_objects[f]);
+    }
+  }
   const bool any_wall =
       std::find(opened.face_of.begin(), opened.face_of.end(), -1) != opened.face_of.end();
   if (any_wall || !cut_surface.face_materials.empty()) {
