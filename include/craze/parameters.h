@@ -37,8 +37,11 @@ struct StressParameters {
 
 /// [[impact]]: a stress pattern around a point of the surface.
 struct Impact {
-  Vec3 point = Vec3::Zero();
+  Vec3 point = Vec3::Zero();      ///< the nearest place of the surface is hit
+  Vec3 direction = Vec3::Zero();  ///< of what comes from outside toward the middle; zero: the point
+  std::vector<double> uv;         ///< two: the place with that UV; none: point or direction
   Length radius = 1;
+  double relative_radius = 0;  ///< the radius as part of the object's diagonal; 0: radius
   double radial = 0;          ///< amplitude of the tension along the rays: opens rings
   double hoop = 1;            ///< amplitude of the tension around the point: opens rays
   double falloff = 2;         ///< exponent of the decay beyond the radius
@@ -106,6 +109,19 @@ struct CrackParameters {
   double stride = 0;  ///< how far a failing node's crack runs at once, screening lengths
 };
 
+/// [where]: what of the surface cracks. Everything given must hold.
+struct WhereParameters {
+  std::vector<std::string> materials;  ///< names, or patterns with * and ?; none: any
+  std::vector<std::string> nodes;      ///< of objects, likewise
+  std::string attribute;               ///< of the input, 0 … 1: never … freely
+  std::string texture;                 ///< grey image in UV space, multiplied in
+  bool invert = false;                 ///< the rest of the surface instead
+
+  bool is_given() const {
+    return invert || !materials.empty() || !nodes.empty() || !attribute.empty() || !texture.empty();
+  }
+};
+
 /// Everything the simulation needs to know besides the mesh.
 struct SimulationParameters {
   Engine engine = Engine::quasistatic;
@@ -114,6 +130,7 @@ struct SimulationParameters {
   std::vector<Impact> impacts;
   MaterialParameters material;
   LayerParameters layer;
+  WhereParameters where;
   EvolutionParameters evolution;
   BoundaryParameters boundary;
   CrackParameters crack;

@@ -1,11 +1,15 @@
 #include "craze/engine.h"
 
+#include <algorithm>
 #include <chrono>
 
+#include "craze/engine/check_where.h"
 #include "craze/engine/cracked_surface.h"
+#include "craze/engine/place_impacts.h"
 #include "craze/engine/spacing_rounds.h"
 #include "craze/error.h"
 #include "craze/model/screening.h"
+#include "craze/recipe/check_recipe.h"
 #include "craze/recipe/length_text.h"
 #include "craze/recipe/own_lengths.h"
 #include "craze/repair.h"
@@ -41,7 +45,25 @@ double total_length(const CrackNetwork& network) {
   return length;
 }
 
-void add_warnings(Report& report, const LastCycle& last, const Simulation& simulation) {
+/// post.gap for which cracks open by post.gap_width on average over their length.
+void resolve_gap(PostParameters& post, const CrackNetwork& network) {
+  if (!(post.gap_width > 0)) return;
+  double length = 0, opening = 0;  // of Eq. 9 with γ = 1, times the length
+  for (const CrackEdge& e : network.edges) {
+    const double of_edge = (network.nodes[e.b].position - network.nodes[e.a].position).norm();
+    length += of_edge;
+    opening += of_edge * e.width;
+  }
+  if (opening > 0) post.gap = post.gap_width * (length / opening);
+  post.gap_width = 0;
+}
+
+void add_warnings(Report& report, const SpacedRun& run, const Simulation& simulation) {
+  const LastCycle& last = run.last;
+  const std::vector<double>& mask = run.surface.mask;
+  if (!mask.empty() && std::all_of(mask.begin(), mask.end(), [](double m) { return m == 0; })) {
+    report.warnings.push_back("nothing can crack (where): it leaves no triangle of the surface");
+  }
   if (last.unstressed) {
     // In equilibrium from the start: not wrong, but seldom what was wanted.
     report.warnings.push_back(
@@ -53,7 +75,8 @@ void add_warnings(Report& report, const LastCycle& last, const Simulation& simul
         "equilibrium was not always reached (evolution.residual): double precision ends before it; "
         "cracks may open a little too early or late");
   }
-  if (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load) {
+  const bool whole = !report.recipe.simulation.where.is_given();
+  if (whole && (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load)) {
     if (const auto warning = spacing_warning(report.recipe.simulation.layer, simulation.mesh(),
                                              report.cracks.fragments)) {
       report.warnings.push_back(*warning);
@@ -70,14 +93,20 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   report.recipe = recipe;
   if (options.max_cracks) report.recipe.simulation.evolution.max_cracks = *options.max_cracks;
   report.threads = context.threads.count();
+  check_recipe(recipe);
   const double unit = metres_per_unit(*input.surface, recipe);
   check_units(recipe, unit);
   warn_of_unused_unit(report, *input.surface);
+  for (std::string& warning : check_where(*input.surface, recipe.simulation.where)) {
+    report.warnings.push_back(std::move(warning));
+  }
   report.input = count_mesh(*input.surface);
   context.report({"repair", 0, 0, report.input.triangles});
   SurfaceMesh surface = repaired(input, report, context);
   input.surface.reset();
   report.recipe = with_own_lengths(report.recipe, {bounding_diagonal(surface.positions), unit});
+  SimulationParameters& parameters = report.recipe.simulation;
+  parameters.impacts = place_impacts(std::move(parameters.impacts), surface, context);
   report.time.load = seconds_since(start);
   context.report({"prepare", -1, 0, count_mesh(surface).triangles});
   context.check();
@@ -92,6 +121,7 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   state->recipe = std::move(run.recipe);
   state->surface = std::move(run.surface.mesh);
   state->network = crack_network(*run.last.simulation);
+  resolve_gap(state->recipe.post, state->network);
   state->fragments = find_components(run.last.simulation->mesh());
 
   const Simulation& simulation = *run.last.simulation;
@@ -102,7 +132,7 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
                    state->fragments.count};
   report.stop_reason = to_string(run.last.reason);
   report.load = simulation.load();
-  add_warnings(report, run.last, simulation);
+  add_warnings(report, run, simulation);
   report.time.prepare = run.prepare + run.last.prepare;
   report.time.relax = run.last.times.relax;
   report.time.separation = run.last.times.separation;

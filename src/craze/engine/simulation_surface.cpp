@@ -52,18 +52,18 @@ SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
   options.coarsen = recipe.mesh.edge.kind == EdgeLength::Kind::given;
   options.seed = recipe.simulation.seed;
   check_scale(repaired, recipe, options.target_edge, physical_memory());
-  if (options.target_edge == 0) return {std::move(repaired), {}};
+  if (options.target_edge == 0) return {std::move(repaired), {}, false, {}};
 
   const MaterialParameters& material = recipe.simulation.material;
   if (material.attribute.empty() && recipe.simulation.layer.attribute.empty()) {
-    return {remesh(repaired, options, context), {}};
+    return {remesh(repaired, options, context), {}, true, {}};
   }
   // Remeshing carries an attribute of the faces; taken off again, it is no part of the mesh.
   const TriangleMesh topology(repaired.positions, repaired.triangles);
   const auto zero = faces_with_zero_attribute(topology, recipe.simulation, input_fields(repaired));
   repaired.face_attributes.push_back(
       {"forbidden", 1, std::vector<double>(zero.begin(), zero.end())});
-  SimulationSurface surface{remesh(repaired, options, context), {}};
+  SimulationSurface surface{remesh(repaired, options, context), {}, true, {}};
   surface.forbidden = touching_faces(surface.mesh, surface.mesh.face_attributes.back().values);
   surface.mesh.face_attributes.pop_back();
   return surface;

@@ -16,6 +16,8 @@ struct SimulationSurface {
   /// #F, 1 where a multiplier of the recipe is zero at the input's triangle or one of its corners;
   /// empty: nowhere. A finer mesh mixes what the corners hold, but not this.
   std::vector<std::uint8_t> forbidden;
+  bool remeshed = false;     ///< its triangles are not the input's
+  std::vector<double> mask;  ///< #F, how freely each face cracks (crack_mask.h); empty: all do
 };
 
 /// Mean length of the triangles' edges, those between two triangles counted twice; there must be a

@@ -27,6 +27,10 @@ bool has_type(const ParameterValue& value, ParameterType type) {
     case ParameterType::choice:
     case ParameterType::string:
       return std::holds_alternative<std::string>(value);
+    case ParameterType::names:
+      return std::holds_alternative<std::vector<std::string>>(value);
+    case ParameterType::vec2:
+      return numbers && (numbers->empty() || numbers->size() == 2);
     case ParameterType::vec3:
       return numbers && numbers->size() == 3;
     case ParameterType::tensor6:
@@ -77,6 +81,11 @@ void check_value(const Parameter& p, const ParameterValue& value, const std::str
   }
   if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
     for (const double x : *numbers) check_number(x);
+  }
+  if (const auto* names = std::get_if<std::vector<std::string>>(&value)) {
+    for (const std::string& name : *names) {
+      if (!is_utf8(name)) fail(key + " is not text", "must be UTF-8");
+    }
   }
   if (const auto* text = std::get_if<std::string>(&value)) {
     if (!is_utf8(*text)) fail(key + " is not text", "must be UTF-8");

@@ -24,6 +24,15 @@ inline ParameterValue to_value(std::int64_t x, const Parameter&) {
 inline ParameterValue to_value(std::uint64_t x, const Parameter&) {
   return static_cast<std::int64_t>(x);
 }
+inline ParameterValue to_value(bool x, const Parameter&) {
+  return x;
+}
+inline ParameterValue to_value(const std::vector<std::string>& x, const Parameter&) {
+  return x;
+}
+inline ParameterValue to_value(const std::vector<double>& x, const Parameter&) {
+  return x;
+}
 inline ParameterValue to_value(const std::string& x, const Parameter&) {
   return x;
 }
@@ -59,6 +68,15 @@ inline void from_value(const ParameterValue& v, const Parameter&, std::int64_t& 
 inline void from_value(const ParameterValue& v, const Parameter&, std::uint64_t& x) {
   x = static_cast<std::uint64_t>(std::get<std::int64_t>(v));
 }
+inline void from_value(const ParameterValue& v, const Parameter&, bool& x) {
+  x = std::get<bool>(v);
+}
+inline void from_value(const ParameterValue& v, const Parameter&, std::vector<std::string>& x) {
+  x = std::get<std::vector<std::string>>(v);
+}
+inline void from_value(const ParameterValue& v, const Parameter&, std::vector<double>& x) {
+  x = std::get<std::vector<double>>(v);
+}
 inline void from_value(const ParameterValue& v, const Parameter&, std::string& x) {
   x = std::get<std::string>(v);
 }
@@ -92,6 +110,9 @@ void from_value(const ParameterValue& v, const Parameter& p, Enum& x) {
 template <class Field>
 constexpr ParameterType type_of() {
   if constexpr (std::is_same_v<Field, double>) return ParameterType::real;
+  if constexpr (std::is_same_v<Field, bool>) return ParameterType::boolean;
+  if constexpr (std::is_same_v<Field, std::vector<std::string>>) return ParameterType::names;
+  if constexpr (std::is_same_v<Field, std::vector<double>>) return ParameterType::vec2;
   if constexpr (std::is_integral_v<Field>) return ParameterType::integer;
   if constexpr (std::is_enum_v<Field>) return ParameterType::choice;
   if constexpr (std::is_same_v<Field, Vec3>) return ParameterType::vec3;
