@@ -42,11 +42,11 @@ struct Impact {
   std::vector<double> uv;         ///< two: the place with that UV; none: point or direction
   Length radius = 1;
   double relative_radius = 0;  ///< the radius as part of the object's diagonal; 0: radius
-  double radial = 0;          ///< amplitude of the tension along the rays: opens rings
-  double hoop = 1;            ///< amplitude of the tension around the point: opens rays
-  double falloff = 2;         ///< exponent of the decay beyond the radius
-  double radial_falloff = 0;  ///< of the radial part alone; 0: falloff
-  double hoop_falloff = 0;    ///< of the hoop part alone; 0: falloff
+  double radial = 0;           ///< amplitude of the tension along the rays: opens rings
+  double hoop = 1;             ///< amplitude of the tension around the point: opens rays
+  double falloff = 2;          ///< exponent of the decay beyond the radius
+  double radial_falloff = 0;   ///< of the radial part alone; 0: falloff
+  double hoop_falloff = 0;     ///< of the hoop part alone; 0: falloff
 };
 
 /// [material]

@@ -31,8 +31,8 @@ struct MeshParameters {
 struct PostParameters {
   double gap = 0;        ///< γ of Eq. 9
   Length gap_width = 0;  ///< mean opening, instead of gap; a run turns it into that
-  Length wall = 0;  ///< depth of the side walls
-  double curl = 0;  ///< lift at a crack, as a share of the displacement there
+  Length wall = 0;       ///< depth of the side walls
+  double curl = 0;       ///< lift at a crack, as a share of the displacement there
 };
 
 /// [picture]: how the result is shown.

@@ -12,9 +12,9 @@
 #include "craze/error.h"
 #include "craze/mesh/validate.h"
 #include "craze/model/screening.h"
+#include "craze/products.h"
 #include "craze/recipe/length_text.h"
 #include "craze/recipe/own_lengths.h"
-#include "craze/products.h"
 #include "craze/shapes.h"
 #include "engine/edge_values.h"
 
@@ -139,7 +139,8 @@ void keep_small(Recipe& recipe, double diagonal) {
                           (layer.relative_spacing > 0 && layer.relative_spacing < 0.1) ||
                           (layer.screening_length > 0 && layer.screening_length < 0.1 * diagonal);
   EdgeLength& edge = recipe.mesh.edge;
-  const bool fine_edge = edge.kind == EdgeLength::Kind::given && own.mesh.edge.length < 0.03 * diagonal;
+  const bool fine_edge =
+      edge.kind == EdgeLength::Kind::given && own.mesh.edge.length < 0.03 * diagonal;
   if (fine_layer || fine_edge) edge = {EdgeLength::Kind::keep, 0};
 }
 

@@ -80,9 +80,9 @@ ParameterValue arbitrary_value(const Parameter& p) {
     case ParameterType::length: {
       const double number = *real_in(p.range);
       if (*rc::gen::arbitrary<bool>()) return number;
-      return format_length({number, *rc::gen::elementOf(std::vector<LengthUnit>{
-                                        LengthUnit::millimetre, LengthUnit::inch,
-                                        LengthUnit::percent})});
+      return format_length(
+          {number, *rc::gen::elementOf(std::vector<LengthUnit>{
+                       LengthUnit::millimetre, LengthUnit::inch, LengthUnit::percent})});
     }
   }
   return 0.0;

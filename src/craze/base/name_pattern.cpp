@@ -17,7 +17,8 @@ std::size_t after_letter(std::string_view text, std::size_t i) {
 
 bool fits_pattern(std::string_view name, std::string_view pattern) {
   std::size_t i = 0, p = 0;
-  std::size_t star = std::string_view::npos, tried = 0;  // the last *, and where it ends in the name
+  std::size_t star = std::string_view::npos,
+              tried = 0;  // the last *, and where it ends in the name
   while (i < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
       star = p++;

@@ -47,8 +47,8 @@ void scatter_strength(std::vector<double>& scale, const TriangleMesh& mesh,
 }
 
 std::vector<double> toughness_scale(const TriangleMesh& mesh, const SimulationParameters& p,
-                                    const InputFields& input,
-                                    const SimulationSurface& surface, const Context& context) {
+                                    const InputFields& input, const SimulationSurface& surface,
+                                    const Context& context) {
   std::vector<double> scale = material_multiplier(mesh, p.material, input).face;
   scale.resize(static_cast<std::size_t>(mesh.face_count()), 1);
   scatter_strength(scale, mesh, p, context);
@@ -58,8 +58,12 @@ std::vector<double> toughness_scale(const TriangleMesh& mesh, const SimulationPa
     if (forbidden[f] || in_input) scale[f] = std::numeric_limits<double>::infinity();
   }
   for (std::size_t f = 0; f < surface.mask.size(); ++f) {
-    scale[f] = surface.mask[f] > 0 ? scale[f] / std::pow(surface.mask[f], 1 - (std::getenv("WHERE_B") ? std::atof(std::getenv("WHERE_B")) : 0.0))
-                                   : std::numeric_limits<double>::infinity();
+    scale[f] =
+        surface.mask[f] > 0
+            ? scale[f] /
+                  std::pow(surface.mask[f],
+                           1 - (std::getenv("WHERE_B") ? std::atof(std::getenv("WHERE_B")) : 0.0))
+            : std::numeric_limits<double>::infinity();
   }
   return scale;
 }

@@ -74,9 +74,10 @@ Vec3 by_uv(const SurfaceMesh& surface, const Vec2& uv, const std::string& where)
     return (1 - v - w) * surface.positions[t[0]] + v * surface.positions[t[1]] +
            w * surface.positions[t[2]];
   }
-  fail(fmt::format("UV ({:.6g}, {:.6g}) lies on no triangle; all are in ({:.6g}, {:.6g}) to "
-                   "({:.6g}, {:.6g})",
-                   uv.x(), uv.y(), all.min().x(), all.min().y(), all.max().x(), all.max().y()));
+  fail(
+      fmt::format("UV ({:.6g}, {:.6g}) lies on no triangle; all are in ({:.6g}, {:.6g}) to "
+                  "({:.6g}, {:.6g})",
+                  uv.x(), uv.y(), all.min().x(), all.min().y(), all.max().x(), all.max().y()));
   return {};
 }
 

@@ -134,10 +134,9 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
     }
     const StopReason reason = run.last.reason;
     const TriangleMesh& mesh = run.last.simulation->mesh();
-    const double measured =
-        run.surface.mask.empty()
-            ? mean_spacing(mesh, find_components(mesh).count)
-            : free_spacing(mesh, find_components(mesh), run.surface.mask);
+    const double measured = run.surface.mask.empty()
+                                ? mean_spacing(mesh, find_components(mesh).count)
+                                : free_spacing(mesh, find_components(mesh), run.surface.mask);
     // No place that cracks freely says what the spacing is.
     if (round == 0 && (is_cut_short(reason) || measured == 0)) return run;
     const double ratio = measured / spacing;

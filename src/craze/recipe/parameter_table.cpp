@@ -81,9 +81,8 @@ std::vector<Parameter> make_table() {
 
   Section(
       t, "impact.", [](auto& r, std::size_t index) -> auto& { return r.simulation.impacts[index]; })
-      .add(
-          "point", &Impact::point, any,
-          {.help = "where the surface is hit: at the place nearest to it, no farther away than a "
+      .add("point", &Impact::point, any,
+           {.help = "where the surface is hit: at the place nearest to it, no farther away than a "
                     "tenth of the object's diagonal",
             .unit = "position",
             .source = "[IO06 §4.1, Fig. 3]"})
@@ -278,10 +277,11 @@ std::vector<Parameter> make_table() {
            {.help = "how far cracks open: scales the displacement",
             .symbol = "γ",
             .source = "[IO06 Eq. 9]"})
-      .add("gap_width", &PostParameters::gap_width, not_negative,
-           {.help = "instead of gap: how wide cracks open on average over their length, tapering to "
-                    "their tips",
-            .unit = "length"})
+      .add(
+          "gap_width", &PostParameters::gap_width, not_negative,
+          {.help = "instead of gap: how wide cracks open on average over their length, tapering to "
+                   "their tips",
+           .unit = "length"})
       .add("wall", &PostParameters::wall, not_negative,
            {.help = "depth of the side walls of open cracks; 0: none",
             .unit = "length",

@@ -11,10 +11,22 @@
 namespace craze {
 
 enum class ParameterType {
-  real, integer, boolean, choice, string, names, vec2, vec3, tensor6, length, edge };
+  real,
+  integer,
+  boolean,
+  choice,
+  string,
+  names,
+  vec2,
+  vec3,
+  tensor6,
+  length,
+  edge
+};
 
 /// real: double; integer: int64; boolean: bool; choice, string: text; names: any number of texts;
-/// vec2: 2 numbers or none; vec3, tensor6: 3 or 6 numbers; length: a number (double), or text with its unit; edge: that, or a word.
+/// vec2: 2 numbers or none; vec3, tensor6: 3 or 6 numbers; length: a number (double), or text with
+/// its unit; edge: that, or a word.
 using ParameterValue = std::variant<double, std::int64_t, bool, std::string, std::vector<double>,
                                     std::vector<std::string>>;
 

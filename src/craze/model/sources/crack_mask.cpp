@@ -83,8 +83,9 @@ class Painting {
   Span at(std::size_t f, int place) const {
     Span span;
     if (!face_.empty()) {
-      span.low = span.high =
-          place == middle ? face_[f] : vertex_[surface_.triangles[f][static_cast<std::size_t>(place)]];
+      span.low = span.high = place == middle
+                                 ? face_[f]
+                                 : vertex_[surface_.triangles[f][static_cast<std::size_t>(place)]];
     }
     if (picture_.empty()) return span;
     const Vec2* uv = &surface_.corner_uvs[3 * f];
