@@ -21,10 +21,17 @@ struct EdgeLength {
   Length length = 0;  ///< target edge length; 0 unless given
 };
 
+/// mesh.output: which triangles carry the cracks in the end.
+enum class OutputMesh {
+  asset,       ///< the input's own, split only where a crack passes
+  simulation,  ///< those that the cracks grew on
+};
+
 /// [mesh]
 struct MeshParameters {
   EdgeLength edge;
   LengthUnit unit = LengthUnit::own;  ///< the mesh's, where its file says none; own: not known
+  OutputMesh output = OutputMesh::asset;
 };
 
 /// [post]: §5 of the paper, done to the finished mesh.

@@ -49,9 +49,9 @@ void prepare(SpacedRun& run, SurfaceMesh repaired, const Textures& textures,
   const WhereParameters& where = run.recipe.simulation.where;
   if (where.is_given()) {
     const SurfaceMesh& mesh = run.surface.mesh;
-    run.surface.mask =
-        crack_mask(mesh, TriangleMesh(mesh.positions, mesh.triangles), where,
-                   find_texture(textures, where.texture, "where.texture"), run.surface.remeshed);
+    run.surface.mask = crack_mask(mesh, TriangleMesh(mesh.positions, mesh.triangles), where,
+                                  find_texture(textures, where.texture, "where.texture"),
+                                  !run.surface.asset_face.empty());
   }
   context.check();
   run.prepare = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -38,6 +38,10 @@ std::vector<Parameter> make_table() {
             .symbol = "h",
             .unit = "length",
             .choices = {"auto", "keep"}})
+      .add("output", &MeshParameters::output, any,
+           {.help = "what the cracks are cut into: \"asset\": the input's own triangles, which are "
+                    "split only where a crack passes; \"simulation\": the mesh they grew on",
+            .choices = {"asset", "simulation"}})
       .add("unit", &MeshParameters::unit, any,
            {.help = "unit of the input, where its file says none (glTF is in metres): what lengths "
                     "such as 4mm are measured in",
