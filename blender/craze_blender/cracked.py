@@ -29,8 +29,6 @@ def new_object(context: Any, thing: Any, made: Made, order: Order) -> Any:
     adopt(new, made, order)
     for collection in thing.users_collection:
         collection.objects.link(new)
-    if new.name not in context.view_layer.objects:
-        context.scene.collection.objects.link(new)
     for other in context.selected_objects:
         other.select_set(False)
     thing.hide_set(True)

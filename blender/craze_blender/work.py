@@ -47,6 +47,9 @@ class Work:
                 self.error = "what was worked on was removed or undone meanwhile"
             except MemoryError:
                 self.state, self.error = "failed", "not enough memory in Blender"
+            except Exception as e:  # noqa: BLE001 - one sentence in Blender, never a traceback
+                self.state = "failed"
+                self.error = f"a fault of the add-on: {type(e).__name__}: {e}"
             if time.perf_counter() >= end:
                 break
         return self.state != "running"
