@@ -7,6 +7,7 @@ read here as what there is (docs/blender.md has the table of differences).
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Iterator
 
 import numpy as np
@@ -56,19 +57,30 @@ class Maps:
     index: np.ndarray
     weight: np.ndarray
 
+    @cached_property
     def nearest(self) -> np.ndarray:
+        """(n,): the index of the largest weight."""
         at = self.weight.argmax(axis=1)[:, None]
         return np.take_along_axis(self.index, at, axis=1)[:, 0]
 
+    @cached_property
+    def whole(self) -> np.ndarray:
+        """(n,) bool: one weight is 1, the others are 0."""
+        return np.asarray(self.weight.max(axis=1) == 1.0)
+
+    @cached_property
+    def _between(self) -> np.ndarray:
+        return np.flatnonzero(~self.whole)
+
     def mixed(self, values: np.ndarray) -> np.ndarray:
         """(n, c) of (s, c). A weight of 1 copies, to the bit."""
-        near = self.nearest()
-        made = values[near]
-        rows = np.flatnonzero(self.weight.max(axis=1) < 1.0)
+        made = values[self.nearest]
+        rows = self._between
         if len(rows):
-            parts = values[self.index[rows]].astype(np.float64)
-            made[rows] = np.einsum("ij,ijk->ik", self.weight[rows], parts)
-        made[near < 0] = 0
+            weight, index = self.weight[rows], self.index[rows]
+            total = sum(weight[:, i, None] * values[index[:, i]] for i in range(index.shape[1]))
+            made[rows] = total
+        made[self.nearest < 0] = 0
         return made
 
 
@@ -106,7 +118,7 @@ def put(collection: Any, name: str, values: np.ndarray) -> None:
 def _taken(of: Maps, values: np.ndarray, mixed: bool) -> np.ndarray:
     if mixed:
         return of.mixed(values.reshape(len(values), -1)).reshape(-1, *values.shape[1:])
-    near = of.nearest()
+    near = of.nearest
     made = values[near]
     made[near < 0] = b"" if values.dtype == object else values.dtype.type(0)
     return made

@@ -85,7 +85,8 @@ def _tick() -> float | None:
         thing = bpy.data.objects.get(_Wish.thing)
         if work.state == "done" and thing is not None:
             finish(thing, work, bpy.context.scene)
-            bpy.ops.ed.undo_push(message="Craze")
+            with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+                bpy.ops.ed.undo_push(message="Craze")
         elif work.state == "failed":
             print(f"craze: {work.error}")
     return INTERVAL

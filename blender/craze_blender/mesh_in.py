@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Iterator
 
 import bpy
 import numpy as np
@@ -63,23 +63,23 @@ def stretch_of(matrix: Any) -> np.ndarray:
     return (rounded + rounded.T) / 2
 
 
-def arrays_of(mesh: Any, stretch: np.ndarray) -> dict[str, np.ndarray]:
-    """The arrays that worker/runs.py takes, attributes left out."""
+def arrays_of(mesh: Any, stretch: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
+    """The arrays that worker/runs.py takes, attributes left out, one at a step."""
+    yield "stretch", stretch
     mesh.calc_loop_triangles()
-    arrays = {
-        "stretch": stretch,
-        "vertices": layers.get(mesh.vertices, "co", np.float32, 3),
-        "edges": layers.get(mesh.edges, "vertices", np.int32, 2),
-        "loop_vertex": layers.get(mesh.loops, "vertex_index", np.int32),
-        "loop_start": layers.get(mesh.polygons, "loop_start", np.int32),
-        "loop_total": layers.get(mesh.polygons, "loop_total", np.int32),
-        "triangles": layers.get(mesh.loop_triangles, "loops", np.int32, 3),
-        "triangle_polygon": layers.get(mesh.loop_triangles, "polygon_index", np.int32),
-        "material": layers.get(mesh.polygons, "material_index", np.int32),
-    }
+    for name, collection, of, dtype, columns in (
+        ("vertices", mesh.vertices, "co", np.float32, 3),
+        ("edges", mesh.edges, "vertices", np.int32, 2),
+        ("loop_vertex", mesh.loops, "vertex_index", np.int32, 1),
+        ("loop_start", mesh.polygons, "loop_start", np.int32, 1),
+        ("loop_total", mesh.polygons, "loop_total", np.int32, 1),
+        ("triangles", mesh.loop_triangles, "loops", np.int32, 3),
+        ("triangle_polygon", mesh.loop_triangles, "polygon_index", np.int32, 1),
+        ("material", mesh.polygons, "material_index", np.int32, 1),
+    ):
+        yield name, layers.get(collection, of, dtype, columns)
     if mesh.uv_layers.active is not None:
-        arrays["uv"] = layers.get(mesh.uv_layers.active.data, "uv", np.float32, 2)
-    return arrays
+        yield "uv", layers.get(mesh.uv_layers.active.data, "uv", np.float32, 2)
 
 
 def material_names(mesh: Any) -> list[str]:

@@ -82,6 +82,7 @@ def build(
                 layers.set_attribute(mesh, attribute, domain.upper(), values)
                 yield None
         layers.set_attribute(mesh, "source_face", "FACE", np.where(walls, -1, arrays["face_source"]))
+        yield None
         mesh.update(calc_edges_loose=True)
         yield None
         _normals(source, mesh, of["CORNER"], walls)

@@ -70,9 +70,9 @@ class Engine:
         self.folder = tempfile.mkdtemp(prefix="craze-")
         self.version = ""
 
-    @property
-    def pid(self) -> int | None:
-        return None if self._process is None else self._process.pid
+    def pending(self) -> list[Request]:
+        """Requests that have not ended."""
+        return [r for r in list(self._requests.values()) if r.state == "running"]
 
     def send(self, do: str, arrays: dict[str, np.ndarray] | None = None, **fields: Any) -> Request:
         """A request of worker/runs.py; `arrays` go along as the file `mesh`, written on a thread."""
@@ -138,6 +138,8 @@ class Engine:
                 request.end("cancelled")
             else:
                 request.end("failed", message["error"])
+            if request is not None and request.state != "running":
+                del self._requests[request.number]
         code = process.wait()
         error = error or f"the engine stopped ({_cause(code)}); nothing in Blender was lost"
         for request in list(self._requests.values()):

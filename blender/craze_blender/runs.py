@@ -30,7 +30,8 @@ class Order:
     mesh: Any
     groups: list[str]
     stretch: np.ndarray
-    recipe: Any  # as craze.crack takes it, or the text of one
+    recipe: Any  # as craze.crack takes it; the text of one where `is_text`
+    is_text: bool = False
     settings: dict[str, Any] = field(default_factory=dict)
     run: str = field(default_factory=new_run)
 
@@ -51,15 +52,17 @@ def crack(engine: Engine, order: Order, name: str) -> Steps:
     """Made of cracking: the mesh is called `name` and opened as the recipe says."""
     if not len(order.mesh.polygons):
         raise Problem("the object has no faces to crack")
-    arrays = mesh_in.arrays_of(order.mesh, order.stretch)
-    yield
+    arrays: dict[str, np.ndarray] = {}
+    for key, values in mesh_in.arrays_of(order.mesh, order.stretch):
+        arrays[key] = values
+        yield
     read = yield from _groups(order)
     names = _named_by(order, arrays, dict(zip(order.groups, read)))
     yield
     reply = yield from asked(
         engine.send(
             "crack", arrays, run=order.run, names=names, recipe=order.recipe,
-            settings=order.settings, post={},
+            is_text=order.is_text, settings=order.settings, post={},
         )
     )  # fmt: skip
     return (yield from _build(order, name, read, reply))

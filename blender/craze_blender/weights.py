@@ -65,11 +65,13 @@ def carry_keys(source: Any, target: Any, of: layers.Maps, co: np.ndarray) -> Ite
     if keys is None:
         return
     rest = layers.get(source.vertices, "co", np.float32, 3)
-    near = of.nearest()
-    still = (of.weight.max(axis=1) == 1.0) & (co == rest[near]).all(axis=1)
+    near = of.nearest
+    still = of.whole & (co == rest[near]).all(axis=1)
+    yield
     for block in keys.key_blocks:
         places = layers.get(block.data, "co", np.float32, 3)
         moved = co + of.mixed(places.astype(np.float64) - rest)
+        yield
         values = np.where(still[:, None], places[near], moved).astype(np.float32)
         new = target.shape_key_add(name=block.name, from_mix=False)
         layers.put(new.data, "co", values)

@@ -78,6 +78,7 @@ class CRAZE_OT_crack(EngineOperator, bpy.types.Operator):
                 recipe="",
             )
         order.recipe = self._recipe(context.scene.craze, thing, order.stretch)
+        order.is_text = bool(self.recipe) and not self._is_path()
         order.settings = self._settings()
         if not again:
             order.mesh = mesh_in.snapshot(context, thing)
@@ -108,11 +109,13 @@ class CRAZE_OT_crack(EngineOperator, bpy.types.Operator):
         if preset and self.recipe:
             raise Problem("give a preset or a recipe, not both")
         if self.recipe:
-            path = self.recipe.endswith((".toml", ".json"))
-            return bpy.path.abspath(self.recipe) if path else self.recipe
+            return bpy.path.abspath(self.recipe) if self._is_path() else self.recipe
         if preset:
             return preset
         return settings.recipe_of(panel, settings.to_engine(thing.matrix_world, stretch))
+
+    def _is_path(self) -> bool:
+        return self.recipe.endswith((".toml", ".json"))
 
     def _settings(self) -> dict[str, Any]:
         keys: dict[str, Any] = {}

@@ -75,6 +75,8 @@ def serve(replies: Any) -> None:
 
 
 if __name__ == "__main__":
+    if hasattr(os, "nice"):
+        os.nice(5)  # it uses all cores; Blender's windows come first
     sys.path[:0] = sys.argv[1:2]
     # Replies have standard output for themselves; what else is printed goes to standard error.
     own = os.fdopen(os.dup(1), "w", encoding="utf-8")

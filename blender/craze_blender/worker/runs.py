@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections import OrderedDict
-from typing import Any, Callable
+from contextlib import contextmanager, nullcontext
+from typing import Any, Callable, Iterator
 
 import numpy as np
 from carry import Carried, Source, carry
@@ -165,14 +165,15 @@ class Runs:
         self._kept: OrderedDict[str, Run] = OrderedDict()
 
     def crack(
-        self, run: str, mesh: str, names: dict[str, Any], recipe: Any, settings: dict[str, Any],
-        post: dict[str, float], out: str, progress: Callable[..., None],
+        self, run: str, mesh: str, names: dict[str, Any], recipe: Any, is_text: bool,
+        settings: dict[str, Any], post: dict[str, float], out: str, progress: Callable[..., None],
     ) -> dict[str, Any]:  # fmt: skip
         """Cracks the mesh in the file `mesh` and keeps it as `run`; then as open()."""
         with np.load(mesh) as arrays:
             new = Run({name: arrays[name] for name in arrays.files}, names)
         os.remove(mesh)
-        new.crack(_recipe(recipe, out), settings, progress)
+        with _as_file(recipe, os.path.dirname(out)) if is_text else nullcontext(recipe) as given:
+            new.crack(given, settings, progress)
         self._kept[run] = new
         while len(self._kept) > KEPT:
             self._kept.popitem(last=False)
@@ -218,16 +219,15 @@ class Runs:
         return {"file": out, "warnings": kept.result.warnings(**(post or {}))}
 
 
-def _recipe(given: Any, out: str) -> Any:
-    """A dict, a preset's name or a path as it is; the text of a recipe as a file of it."""
-    if not isinstance(given, str) or not ("\n" in given or "=" in given or "{" in given):
-        return given
-    if given.lstrip().startswith("{"):
-        try:
-            return json.loads(given)
-        except ValueError as e:
-            raise craze.Error(f"wrong recipe: not JSON: {e}") from None
-    path = out + ".toml"
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(given)
-    return path
+@contextmanager
+def _as_file(text: str, folder: str) -> Iterator[str]:
+    """The path of a file that holds the text of a recipe; errors call it "recipe"."""
+    path = os.path.join(folder, "recipe.toml")
+    try:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        yield path
+    except craze.Error as e:
+        raise craze.Error(str(e).replace(path, "recipe"), e.kind) from None
+    finally:
+        os.remove(path)

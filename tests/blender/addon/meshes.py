@@ -34,12 +34,15 @@ def activate(thing):
 
 
 def grid(n=12, name="grid", size=1.0):
+    """n × n squares, with UVs in one piece."""
     mesh = bpy.data.meshes.new(name)
     shape = bmesh.new()
     bmesh.ops.create_grid(shape, x_segments=n, y_segments=n, size=size)
     shape.to_mesh(mesh)
     shape.free()
-    mesh.uv_layers.new(name="UVMap")
+    uv = mesh.uv_layers.new(name="UVMap").data
+    for loop in mesh.loops:
+        uv[loop.index].uv = mesh.vertices[loop.vertex_index].co.xy / (2 * size)
     return mesh
 
 
