@@ -40,14 +40,20 @@ def summary(report: dict[str, Any]) -> list[tuple[str, str]]:
         ("Pieces", str(found["fragments"])),
         ("Length", f"{found['length']:.4g}"),
     ]
-    statistics = report.get("statistics") or {}
+    statistics = report.get("statistics")
     if statistics:
-        spacing = statistics["spacing"]["root_area"]
-        rows.append(("Spacing", f"{spacing['value']:.4g} ± {spacing['error']:.2g}"))
+        rows.append(("Spacing", _measured(statistics["spacing"]["root_area"])))
         rows.append(("Junctions", str(statistics["counts"]["junctions"])))
-        angles = statistics["angles"]
-        rows.append(("T-shaped", f"{angles['t']['value']:.0%}"))
+        rows.append(("T-shaped", _measured(statistics["angles"]["t"])))
     return rows
+
+
+def _measured(found: dict[str, Any]) -> str:
+    """A value and its error; both are null where there was too little to measure."""
+    if found["value"] is None:
+        return "–"
+    error = "" if found["error"] is None else f" ± {found['error']:.1g}"
+    return f"{found['value']:.3g}{error}"
 
 
 CLASSES = [CRAZE_OT_stats]
