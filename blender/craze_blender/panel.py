@@ -116,14 +116,15 @@ class CRAZE_PT_result(_Panel, bpy.types.Panel):
             row = column.split(factor=0.4)
             row.label(text=what)
             row.label(text=value)
-        layout.operator("craze.stats", icon="TEXT")
-        row = layout.row(align=True)
-        row.prop(panel, "thickness")
-        row.operator("craze.pieces", icon="MOD_SOLIDIFY")
-        row = layout.row(align=True)
-        row.prop(panel, "frames")
-        row.operator("craze.grow", icon="SHAPEKEY_DATA")
-        layout.operator("craze.curves", icon="CURVE_DATA")
+        column = layout.column(align=True)
+        column.operator("craze.stats", icon="TEXT")
+        column.operator("craze.curves", icon="CURVE_DATA")
+        column = layout.column(align=True)
+        column.prop(panel, "thickness")
+        column.operator("craze.pieces", icon="MOD_SOLIDIFY")
+        column = layout.column(align=True)
+        column.prop(panel, "frames")
+        column.operator("craze.grow", icon="SHAPEKEY_DATA")
 
 
 def _key(layout: Any, keys: Any, key: str, text: str | None = None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from typing import Any
 
 import bpy
@@ -10,6 +11,7 @@ from .. import process
 from ..work import Steps, Work
 
 INTERVAL = 0.02  # seconds between looks
+SHOWN = 0.2  # seconds from one state that is shown to the next
 SLICE = 0.012  # seconds of work in Blender at a look
 
 
@@ -19,6 +21,7 @@ class EngineOperator:
     bl_options = {"UNDO"}
     _work: Work
     _timer: Any = None
+    _shown = 0.0
 
     def steps(self, context: Any) -> Steps:
         """The work. The last step changes the scene and returns a sentence about it."""
@@ -65,6 +68,10 @@ class EngineOperator:
         return {"CANCELLED"}
 
     def _show(self, context: Any) -> None:
+        """Says how far it is, now and then: each time the window is drawn anew."""
+        if time.monotonic() - self._shown < SHOWN:
+            return
+        self._shown = time.monotonic()
         doing, fraction = self._work.says()
         text = f"craze: {doing}" + ("" if fraction is None else f", {fraction:.0%}")
         context.workspace.status_text_set(f"{text}   (Esc: stop)")

@@ -13,8 +13,8 @@ from .base import OfCracked
 
 
 class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
-    """Splits the cracked object into its fragments: objects with their own origins, closed by a
-    Solidify modifier, with rigid bodies"""
+    """Splits the cracked object into its fragments: objects with their own origins, made solid by a
+    Solidify modifier instead of side walls, with rigid bodies"""
 
     bl_idname = "craze.pieces"
     bl_label = "Pieces"
@@ -38,6 +38,7 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
         thickness = self.thickness if said else context.scene.craze.thickness
         if "fragment" not in mesh.attributes:
             raise Problem("the object has no attribute \"fragment\"")
+        kept = _no_walls(mesh) if thickness > 0 else np.ones(len(mesh.polygons), bool)
         groups = yield from _all_groups(mesh, len(thing.vertex_groups))
         fragment = layers.get(mesh.attributes["fragment"].data, "value", np.int32)
         shape = _Shape(mesh)
@@ -45,7 +46,7 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
         done = False
         try:
             for number in np.unique(fragment):
-                arrays = shape.part(np.flatnonzero(fragment == number))
+                arrays = shape.part(np.flatnonzero((fragment == number) & kept))
                 name = f"{thing.name} fragment {number}"
                 for step in mesh_out.copy_part(mesh, groups, cracked.group_names(thing), name, arrays):
                     if step is not None:
@@ -75,12 +76,19 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
                 solid = piece.modifiers.new("Thickness", "SOLIDIFY")
                 solid.thickness = thickness
                 solid.offset = -1.0
-                solid.use_even_offset = True
+                # Rims are as side walls are, where there were some.
+                if mesh_out.WALL in mesh.materials:
+                    solid.material_offset_rim = len(mesh.materials) - 1
             objects.append(piece)
         if self.rigid_body:
             _make_rigid(context, objects)
         thing.hide_set(True)
         thing.hide_render = True
+
+
+def _no_walls(mesh: Any) -> np.ndarray:
+    """(p,) bool: what a Solidify modifier is to thicken, which makes walls of its own."""
+    return layers.get(mesh.attributes["source_face"].data, "value", np.int32) >= 0
 
 
 def _all_groups(mesh: Any, count: int) -> Steps:

@@ -9,7 +9,7 @@ blender -b --python-exit-code 3 --python-expr 'import numpy' > /dev/null 2>&1 ||
 run=(blender -b)
 if head -1 "$2" | grep -q "needs a window"; then
   command -v xvfb-run > /dev/null || { echo "skipped: no xvfb-run"; exit 77; }
-  run=(xvfb-run -a -s "-screen 0 1600x1000x24" blender --window-geometry 0 0 1600 1000
+  run=(xvfb-run -a -s "-screen 0 800x600x24" blender --window-geometry 0 0 800 600
     --enable-event-simulate)
 fi
 export PYTHONPATH="$1:$here${PYTHONPATH:+:$PYTHONPATH}"
