@@ -11,8 +11,7 @@ namespace craze {
 
 namespace {
 
-/// Splits the longest edges first, so that triangles stay as round as they were. The two sides of a
-/// crack are as long as each other, so they are split alike.
+/// Splits the longest edges first, so that triangles stay as round as they were.
 class Bender {
  public:
   Bender(TriangleMesh mesh, std::vector<double> crack_distance, double length)
@@ -36,10 +35,22 @@ class Bender {
     return (mesh_.position(mesh_.to(h)) - mesh_.position(mesh_.from(h))).norm();
   }
 
+  /// Of the faces at an edge. Beside a side that is not split no triangle gets much smaller.
+  double longest_crack_side(std::int32_t h) const {
+    double longest = 0;
+    for (const std::int32_t g : {h, mesh_.opposite(h)}) {
+      if (g < 0) continue;
+      for (const std::int32_t side : {TriangleMesh::next(g), TriangleMesh::prev(g)}) {
+        if (mesh_.crack_of(side) >= 0) longest = std::max(longest, edge_length(side));
+      }
+    }
+    return longest;
+  }
+
   void offer(std::int32_t h) {
-    if (mesh_.opposite(h) > h) return;  // each edge once
+    if (mesh_.crack_of(h) >= 0 || mesh_.opposite(h) > h) return;  // each edge once
     const double length = edge_length(h);
-    if (length <= longest_) return;
+    if (length <= std::max(longest_, longest_crack_side(h))) return;
     if (std::min(distance_[mesh_.from(h)], distance_[mesh_.to(h)]) > reach_) return;
     edges_.emplace(length, h);
   }
