@@ -25,7 +25,8 @@ class Bender {
     while (!edges_.empty()) {
       const auto [length, h] = edges_.top();
       edges_.pop();
-      if (length == edge_length(h)) split(h);
+      // By now h may be another edge.
+      if (length == edge_length(h) && is_too_long(h) && is_longest(h)) split(h);
     }
     return std::move(mesh_);
   }
@@ -35,24 +36,27 @@ class Bender {
     return (mesh_.position(mesh_.to(h)) - mesh_.position(mesh_.from(h))).norm();
   }
 
-  /// Of the faces at an edge. Beside a side that is not split no triangle gets much smaller.
-  double longest_crack_side(std::int32_t h) const {
-    double longest = 0;
+  /// Of the faces at an edge. What is not the longest waits until that is split, for ever if it is
+  /// not to be split: else edges beside it would be split without end and get no shorter.
+  bool is_longest(std::int32_t h) const {
+    const double length = edge_length(h);
     for (const std::int32_t g : {h, mesh_.opposite(h)}) {
-      if (g < 0) continue;
-      for (const std::int32_t side : {TriangleMesh::next(g), TriangleMesh::prev(g)}) {
-        if (mesh_.crack_of(side) >= 0) longest = std::max(longest, edge_length(side));
+      if (g >= 0 && std::max(edge_length(TriangleMesh::next(g)),
+                             edge_length(TriangleMesh::prev(g))) > length) {
+        return false;
       }
     }
-    return longest;
+    return true;
+  }
+
+  bool is_too_long(std::int32_t h) const {
+    return mesh_.crack_of(h) < 0 && edge_length(h) > longest_ &&
+           std::min(distance_[mesh_.from(h)], distance_[mesh_.to(h)]) <= reach_;
   }
 
   void offer(std::int32_t h) {
-    if (mesh_.crack_of(h) >= 0 || mesh_.opposite(h) > h) return;  // each edge once
-    const double length = edge_length(h);
-    if (length <= std::max(longest_, longest_crack_side(h))) return;
-    if (std::min(distance_[mesh_.from(h)], distance_[mesh_.to(h)]) > reach_) return;
-    edges_.emplace(length, h);
+    const bool stands_for_edge = mesh_.opposite(h) < h;
+    if (stands_for_edge && is_too_long(h)) edges_.emplace(edge_length(h), h);
   }
 
   void split(std::int32_t h) {
