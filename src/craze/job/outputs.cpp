@@ -88,7 +88,8 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
   write_mesh_and_growth(request, shown, result, times, report, context);
   context.check();
-  if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), context);
+  const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
+  if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), warn, context);
   context.check();
   if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context), {}, context);
   context.check();
