@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "craze/base/elementary.h"
 #include "craze/mesh/self_intersection.h"
 #include "craze/products/opening/curl.h"
 
@@ -14,8 +15,13 @@ using Pairs = std::vector<std::array<std::int32_t, 2>>;
 constexpr int rounds = 30;
 /// What is left of a share after each round in which it was too much.
 constexpr double step_back = 0.65;
-/// How much larger a share may be than the neighbour's.
+/// How much larger a share may be than the neighbour's: few vertices do less for one that must.
 constexpr double neighbour_ratio = 3;
+/// Where all are made smaller, the distance over which a share may grow by the factor e, in
+/// natural_curl_length(): about half of a piece, so that pieces shrink as a whole and rims taper.
+constexpr double taper_length = 1.5;
+/// How far the rims of nearly all pieces may go, in natural_curl_length(): a third of a piece.
+constexpr double rim_way = 1, nearly_all = 0.9;
 /// Shares below are nothing at all.
 constexpr double nothing = 0.03;
 /// Walls of this share of their depth are no deeper than need be.
@@ -42,10 +48,11 @@ class Limiter {
     for (int round = 0; round < rounds && !sound; ++round) {
       context_.report({"open", static_cast<double>(round) / rounds});
       context_.check();
-      spread(shares_.move);
-      spread(shares_.depth);
+      spread(shares_.move,
+             [this](std::int32_t h) { return taper_.empty() ? neighbour_ratio : taper_[h]; });
+      spread(shares_.depth, [](std::int32_t) { return neighbour_ratio; });
       sound = step(round + 5 < rounds ? step_back : 0);
-      if (round == 0 && !sound) stay_in_pieces();
+      if (round == 0 && !sound) begin_smaller();
     }
     OpeningLimit limit;
     if (!sound) {
@@ -64,13 +71,24 @@ class Limiter {
   }
 
  private:
-  /// No further than to the middle of a piece: there is nothing to find by trying.
-  void stay_in_pieces() {
-    const double most = 1.5 * natural_curl_length(mesh_, motion_.sites);
-    for (std::size_t v = 0; v < shares_.move.size() && most > 0; ++v) {
-      const double length = motion_.shift[v].norm();
-      if (length > most) shares_.move[v] = std::min(shares_.move[v], most / length);
+  /// Where all is too much, it is begun anew and smaller everywhere alike: as a smaller opening.
+  void begin_smaller() {
+    std::vector<double> ways;  // of the rims
+    for (std::size_t v = 0; v < motion_.shift.size(); ++v) {
+      if (motion_.sites.site_of[v] >= 0) ways.push_back(motion_.shift[v].norm());
     }
+    if (ways.empty()) return;
+    const auto at = static_cast<std::ptrdiff_t>(nearly_all * static_cast<double>(ways.size()));
+    std::nth_element(ways.begin(), ways.begin() + at, ways.end());
+    const double natural = natural_curl_length(mesh_, motion_.sites);
+    const double way = ways[static_cast<std::size_t>(at)], most = rim_way * natural;
+    if (!(way > most)) return;
+    for (std::int32_t h = 0; h < 3 * mesh_.face_count(); ++h) {
+      taper_.push_back(
+          elementary::exp(edge(mesh_.positions(), h).norm() / (taper_length * natural)));
+    }
+    shares_.move.assign(shares_.move.size(), most / way);
+    shares_.depth.assign(shares_.depth.size(), 1);
   }
 
   /// Takes back where it is too far; true where nothing is.
@@ -116,8 +134,10 @@ class Limiter {
     return most;
   }
 
-  /// Brings the vertices of a site, and neighbours, near to each other.
-  void spread(std::vector<double>& share) const {
+  /// Makes the shares of a site one, and lets them grow away from it no faster than they may.
+  /// `growth(h)`: how much larger it may be at one end of h than at the other.
+  template <class Growth>
+  void spread(std::vector<double>& share, Growth growth) const {
     const auto& site_of = motion_.sites.site_of;
     for (bool changed = true; changed;) {
       changed = false;
@@ -128,15 +148,12 @@ class Limiter {
       for (std::size_t v = 0; v < share.size(); ++v) {
         if (site_of[v] >= 0) share[v] = of_site[site_of[v]];
       }
-      for (const Triangle& t : mesh_.triangles()) {
-        for (int i = 0; i < 3; ++i) {
-          const double most = neighbour_ratio * std::max(share[t[i]], nothing);
-          for (const int j : {(i + 1) % 3, (i + 2) % 3}) {
-            if (share[t[j]] <= most) continue;
-            share[t[j]] = most;
-            changed = true;
-          }
-        }
+      for (std::int32_t h = 0; h < 3 * mesh_.face_count(); ++h) {
+        double &a = share[mesh_.from(h)], &b = share[mesh_.to(h)];
+        const double most = growth(h) * std::max(std::min(a, b), nothing);
+        if (std::max(a, b) <= most) continue;
+        (a > b ? a : b) = most;
+        changed = true;
       }
     }
   }
@@ -145,9 +162,12 @@ class Limiter {
     std::vector<std::int32_t> faces;
     for (std::int32_t f = 0; f < mesh_.face_count(); ++f) {
       const Triangle& t = mesh_.triangle(f);
-      if (area_normal(mesh_.positions(), t).dot(area_normal(positions, t)) < 0) {
-        faces.push_back(f);
+      bool turned = area_normal(mesh_.positions(), t).dot(area_normal(positions, t)) < 0;
+      // A piece that has shrunk through its middle is turned about it, in its own plane.
+      for (std::int32_t h = 3 * f; h < 3 * f + 3 && !turned; ++h) {
+        turned = edge(mesh_.positions(), h).dot(edge(positions, h)) < 0;
       }
+      if (turned) faces.push_back(f);
     }
     return faces;
   }
@@ -165,6 +185,9 @@ class Limiter {
     return fresh;
   }
 
+  Vec3 edge(const std::vector<Vec3>& positions, std::int32_t h) const {
+    return positions[mesh_.to(h)] - positions[mesh_.from(h)];
+  }
   bool has_wall(std::size_t v) const {
     return !motion_.walls.bottom.empty() && mesh_.is_open_vertex(static_cast<std::int32_t>(v));
   }
@@ -177,6 +200,7 @@ class Limiter {
   const Context& context_;
   std::vector<Triangle> triangles_;  // of the mesh, then of the walls
   OpeningShares shares_;
+  std::vector<double> taper_;  // 3 #F: how much larger a share of the way may be at the other end
   std::size_t most_pairs_;
   Pairs before_;  // crossings of the mesh as it is
   bool knows_before_ = false;
