@@ -11,6 +11,7 @@
 #include "craze/products/report_json.h"
 #include "craze/repair.h"
 #include "part_boxes.h"
+#include "run_options.h"
 
 namespace craze::app {
 
@@ -142,7 +143,7 @@ nlohmann::ordered_json as_json(const Checked& checked) {
 void add_check(CLI::App& app, Action& action) {
   struct Options {
     std::string input;
-    bool json = false;
+    bool json = false, no_warnings = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand("check", "Say what a mesh is and what repair would do");
@@ -150,14 +151,16 @@ void add_check(CLI::App& app, Action& action) {
       ->required()
       ->type_name("");
   verb->add_flag("--json", options->json, "As JSON");
+  add_warning_option(*verb, options->no_warnings);
   verb->footer(
       "Examples:\n"
       "  craze check scan.stl\n"
       "  craze check scan.stl --json | jq .repair");
   verb->callback([options, &action] {
     action = [options] {
-      const SurfaceMesh input = load_surface(options->input).mesh;
-      const Checked checked = check(input);
+      const MeshFile file = load_surface(options->input);
+      if (!options->no_warnings) print_warnings({}, file.warnings);
+      const Checked checked = check(file.mesh);
       return print(options->json ? as_json(checked).dump(2) + "\n" : as_text(checked));
     };
   });
