@@ -54,13 +54,12 @@ void write_picture(const RunRequest& request, render::PictureOptions options,
 
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
 void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown,
-                           const Result& result, const GrowthTimes& times,
-                           const std::vector<MaterialLook>& looks,
+                           const Result& result, const std::vector<MaterialLook>& looks,
                            const render::PictureOptions& picture, Report& report,
                            const Context& context) {
   const bool frames = !request.frames.empty() || !request.video.empty();
   std::optional<Growth> growth;
-  if (request.animate || frames) growth.emplace(result, times, shown);
+  if (request.animate || frames) growth.emplace(result, shown);
   context.check();
   if (!request.output.empty()) {
     MorphAnimation animation;
@@ -77,7 +76,7 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
     write_mesh(request.output, shown.mesh, options, context);
   }
   if (frames) {
-    write_frames(request, {result, times, shown, *growth}, picture, context);
+    write_frames(request, {result, shown, *growth}, picture, context);
   }
 }
 
@@ -88,14 +87,15 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
                                                        const MaterialLooks& looks, Report& report,
                                                        const Context& context) {
   const render::PictureOptions picture = picture_options(request, looks.shown);
-  const GrowthTimes times = growth_times(result);
+  GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
   context.check();
-  const OpenedSurface shown = opened_surface(result, std::move(cut), request.recipe.post, context);
+  const OpenedSurface shown =
+      opened_surface(result, std::move(cut), std::move(times), request.recipe.post, context);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
-  write_mesh_and_growth(request, shown, result, times, looks.of_file, picture, report, context);
+  write_mesh_and_growth(request, shown, result, looks.of_file, picture, report, context);
   context.check();
   const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
   if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), warn, context);
@@ -106,7 +106,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   context.check();
   const CrackedSurface& state = result.state();
   if (request.report.empty() || state.network.edges.empty()) return {};
-  return compute_with_sensitivity(graph_from_network(state.network, state.simulation->mesh()));
+  return compute_with_sensitivity(graph_from_network(state.network, state.mesh()));
 }
 
 }  // namespace craze

@@ -1,7 +1,6 @@
 #include "craze/products/crack_lines.h"
 
 #include "craze/engine/cracked_surface.h"
-#include "craze/mesh/transfer_attributes.h"
 #include "craze/products/uv_islands.h"
 
 namespace craze {
@@ -13,12 +12,12 @@ namespace {
 class CrackUvs {
  public:
   explicit CrackUvs(const CrackedSurface& state)
-      : mesh_(state.simulation->mesh()), island_(uv_islands(state.surface)) {
+      : state_(state), mesh_(state.mesh()), island_(uv_islands(state.surface)) {
     SurfaceMesh uvs_alone;
     uvs_alone.positions = state.surface.positions;
     uvs_alone.triangles = state.surface.triangles;
     uvs_alone.corner_uvs = state.surface.corner_uvs;
-    uvs_ = transfer_attributes(uvs_alone, mesh_).corner_uvs;
+    uvs_ = state.with_attributes(uvs_alone).corner_uvs;
   }
 
   /// Seen from the face of a side, so that an end on a seam is in the edge's own island.
@@ -33,10 +32,12 @@ class CrackUvs {
     return (1 - t) * uvs_[side] + t * uvs_[next];
   }
   std::int32_t island(std::int32_t side) const {
-    return island_[mesh_.source_face(TriangleMesh::face_of(side))];
+    const std::int32_t f = TriangleMesh::face_of(side);
+    return island_[state_.asset ? state_.asset->cut.face_source[f] : mesh_.source_face(f)];
   }
 
  private:
+  const CrackedSurface& state_;
   const TriangleMesh& mesh_;
   std::vector<std::int32_t> island_;  // #F of the surface
   std::vector<Vec2> uvs_;             // 3 #F of the cut mesh
