@@ -10,10 +10,27 @@
 namespace craze {
 namespace {
 
-Result mud(const SurfaceMesh& surface) {
+Result mud(const SurfaceMesh& surface, const std::string& setting = "mesh.edge=\"keep\"") {
   Recipe recipe = read_preset("mud");
-  apply_set(recipe, "mesh.edge=\"keep\"");
+  apply_set(recipe, setting);
   return crack({std::make_shared<SurfaceMesh>(surface), {}, "plate"}, recipe, {}, {});
+}
+
+/// The plate with UVs that follow its places.
+SurfaceMesh with_plain_uvs(SurfaceMesh plate) {
+  for (std::size_t c = 0; c < plate.corner_uvs.size(); ++c) {
+    const Vec3& p = plate.positions[plate.triangles[c / 3][c % 3]];
+    plate.corner_uvs[c] = Vec2(2 * p.x() + 1, p.y() - 3);
+  }
+  return plate;
+}
+
+void expect_plain_uvs(const LineSet& lines) {
+  ASSERT_GT(lines.uvs.size(), 100u);
+  for (std::size_t i = 0; i < lines.uvs.size(); ++i) {
+    const Vec3& p = lines.points[lines.edges[i / 2][i % 2]];
+    EXPECT_LT((lines.uvs[i] - Vec2(2 * p.x() + 1, p.y() - 3)).norm(), 1e-12);
+  }
 }
 
 /// The greatest distance between two UVs that edges of one island have at one point.
@@ -39,17 +56,12 @@ TEST(CrackLines, JoinedEdgesMeetInTheTextureThoughVerticesHaveSlid) {
 }
 
 TEST(CrackLines, UvsAreThoseOfThePlace) {
-  SurfaceMesh plate = make_shape("plate?n=30&jitter=0.3");
-  for (std::size_t c = 0; c < plate.corner_uvs.size(); ++c) {
-    const Vec3& p = plate.positions[plate.triangles[c / 3][c % 3]];
-    plate.corner_uvs[c] = Vec2(2 * p.x() + 1, p.y() - 3);
-  }
-  const LineSet lines = crack_lines(mud(plate));
-  ASSERT_FALSE(lines.uvs.empty());
-  for (std::size_t i = 0; i < lines.uvs.size(); ++i) {
-    const Vec3& p = lines.points[lines.edges[i / 2][i % 2]];
-    EXPECT_LT((lines.uvs[i] - Vec2(2 * p.x() + 1, p.y() - 3)).norm(), 1e-12);
-  }
+  expect_plain_uvs(crack_lines(mud(with_plain_uvs(make_shape("plate?n=30&jitter=0.3")))));
+}
+
+TEST(CrackLines, UvsAreThoseOfThePlaceOnAnAssetsOwnTriangles) {
+  const SurfaceMesh plate = with_plain_uvs(make_shape("plate?n=2"));
+  expect_plain_uvs(crack_lines(mud(plate, "mesh.output=\"asset\"")));
 }
 
 TEST(CrackLines, EachEdgeKnowsItsIsland) {
