@@ -26,7 +26,7 @@ struct MeshFileOptions {
   /// are to be written; null: plain.
   const std::vector<MaterialLook>* looks = nullptr;
   UpAxis up = UpAxis::automatic;  ///< USDA, which knows y and z; y where automatic
-  double metres_per_unit = 1;     ///< USDA
+  double metres_per_unit = 0;     ///< USDA, of a mesh that does not say; 0: 1
   /// Told, in one sentence each, what the format cannot hold; may be empty.
   std::function<void(const std::string&)> warn;
 };

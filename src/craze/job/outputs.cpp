@@ -45,7 +45,8 @@ void write_picture(const RunRequest& request, render::PictureOptions options,
                    const OpenedSurface& shown, const Result& result, const Context& context) {
   SurfaceMesh drawn = shown.mesh;
   options.subject = render::subject_of(drawn);
-  drawn.corner_normals = picture_normals(shown, result, request.recipe.post, options.crease);
+  drawn.corner_normals =
+      picture_normals(shown, result, result.report().recipe.post, options.crease);
   const render::CrackLines lines =
       picture_lines(shown, result, render::line_reach(drawn, options), context);
   render::write_png(request.picture, render::render_picture(drawn, &lines, options, context),
@@ -91,8 +92,8 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
   context.check();
-  const OpenedSurface shown =
-      opened_surface(result, std::move(cut), std::move(times), request.recipe.post, context);
+  const OpenedSurface shown = opened_surface(result, std::move(cut), std::move(times),
+                                             result.report().recipe.post, context);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
   write_mesh_and_growth(request, shown, result, looks.of_file, picture, report, context);

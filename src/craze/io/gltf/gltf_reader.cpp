@@ -85,6 +85,7 @@ SurfaceMesh read_gltf(const MeshSource& source) {
   }
   SurfaceMesh mesh = builder.finish();
   if (source.looks) *source.looks = gltf_looks(root, accessors, source);
+  mesh.metres_per_unit = 1;  // section 3.4: all linear distances are in metres
   return mesh;
 }
 

@@ -44,10 +44,14 @@ class UsdWriter {
 
   std::string header() const {
     const UpAxis up = options_.up;
+    const double own = mesh_.metres_per_unit, given = options_.metres_per_unit;
     std::string text = fmt::format(
         "#usda 1.0\n(\n    defaultPrim = \"craze\"\n    doc = \"craze\"\n    metersPerUnit = {}\n"
         "    upAxis = \"{}\"\n",
-        options_.metres_per_unit, up == UpAxis::z ? 'Z' : 'Y');
+        own > 0     ? own
+        : given > 0 ? given
+                    : 1.0,
+        up == UpAxis::z ? 'Z' : 'Y');
     if (options_.animation) {
       const double seconds = wait_before + options_.animation->seconds + wait_after;
       text +=

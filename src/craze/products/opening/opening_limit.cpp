@@ -1,8 +1,10 @@
 #include "craze/products/opening/opening_limit.h"
 
 #include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
 
-#include "craze/base/elementary.h"
 #include "craze/mesh/self_intersection.h"
 #include "craze/products/opening/curl.h"
 
@@ -15,13 +17,13 @@ using Pairs = std::vector<std::array<std::int32_t, 2>>;
 constexpr int rounds = 30;
 /// What is left of a share after each round in which it was too much.
 constexpr double step_back = 0.65;
-/// How much larger a share may be than the neighbour's: few vertices do less for one that must.
-constexpr double neighbour_ratio = 3;
-/// Where all are made smaller, the distance over which a share may grow by the factor e, in
-/// natural_curl_length(): about half of a piece, so that pieces shrink as a whole and rims taper.
-constexpr double taper_length = 1.5;
-/// How far the rims of nearly all pieces may go, in natural_curl_length(): a third of a piece.
-constexpr double rim_way = 1, nearly_all = 0.9;
+/// Of the mean distance between cracks: over such a length a share grows from nothing to all.
+constexpr double taper_per_spacing = 1.0 / 6;
+/// Where all are made smaller, the length over which a share grows by what was begun with: half of
+/// a piece, so that pieces shrink as a whole.
+constexpr double smaller_taper_per_spacing = 1.0 / 2;
+/// How far the rims of nearly all pieces may go then, of the mean distance between cracks.
+constexpr double rim_way = 1.0 / 3, nearly_all = 0.9;
 /// Shares below are nothing at all.
 constexpr double nothing = 0.03;
 /// Walls of this share of their depth are no deeper than need be.
@@ -41,6 +43,11 @@ class Limiter {
     most_pairs_ = 4 * triangles_.size();
     shares_.move.assign(mesh_.vertex_count(), 1);
     shares_.depth.assign(mesh_.vertex_count(), 1);
+    spacing_ = 3 * natural_curl_length(mesh_, motion.sites);
+    on_site_.resize(motion.sites.vertex.size());
+    for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      if (motion.sites.site_of[v] >= 0) on_site_[motion.sites.site_of[v]].push_back(v);
+    }
   }
 
   OpeningLimit run() {
@@ -48,9 +55,8 @@ class Limiter {
     for (int round = 0; round < rounds && !sound; ++round) {
       context_.report({"open", static_cast<double>(round) / rounds});
       context_.check();
-      spread(shares_.move,
-             [this](std::int32_t h) { return taper_.empty() ? neighbour_ratio : taper_[h]; });
-      spread(shares_.depth, [](std::int32_t) { return neighbour_ratio; });
+      spread(shares_.move, growth_);
+      spread(shares_.depth, 1 / taper_per_spacing);
       sound = step(round + 5 < rounds ? step_back : 0);
       if (round == 0 && !sound) begin_smaller();
     }
@@ -80,15 +86,12 @@ class Limiter {
     if (ways.empty()) return;
     const auto at = static_cast<std::ptrdiff_t>(nearly_all * static_cast<double>(ways.size()));
     std::nth_element(ways.begin(), ways.begin() + at, ways.end());
-    const double natural = natural_curl_length(mesh_, motion_.sites);
-    const double way = ways[static_cast<std::size_t>(at)], most = rim_way * natural;
+    const double way = ways[static_cast<std::size_t>(at)], most = rim_way * spacing_;
     if (!(way > most)) return;
-    for (std::int32_t h = 0; h < 3 * mesh_.face_count(); ++h) {
-      taper_.push_back(
-          elementary::exp(edge(mesh_.positions(), h).norm() / (taper_length * natural)));
-    }
-    shares_.move.assign(shares_.move.size(), most / way);
+    const double share = most / way;
+    shares_.move.assign(shares_.move.size(), share);
     shares_.depth.assign(shares_.depth.size(), 1);
+    growth_ = share / smaller_taper_per_spacing;
   }
 
   /// Takes back where it is too far; true where nothing is.
@@ -134,27 +137,33 @@ class Limiter {
     return most;
   }
 
-  /// Makes the shares of a site one, and lets them grow away from it no faster than they may.
-  /// `growth(h)`: how much larger it may be at one end of h than at the other.
-  template <class Growth>
-  void spread(std::vector<double>& share, Growth growth) const {
-    const auto& site_of = motion_.sites.site_of;
-    for (bool changed = true; changed;) {
-      changed = false;
-      std::vector<double> of_site(motion_.sites.vertex.size(), 1);
-      for (std::size_t v = 0; v < share.size(); ++v) {
-        if (site_of[v] >= 0) of_site[site_of[v]] = std::min(of_site[site_of[v]], share[v]);
+  /// Makes the shares of a site the least of them, and lets no share grow faster along the surface
+  /// than over the taper, so that an opening narrows towards where it has no room, whatever the
+  /// triangles there. From the least share up (Dijkstra): each vertex is settled once.
+  void spread(std::vector<double>& share, double growth) const {
+    if (spacing_ == 0) return;                      // no cracks
+    using Entry = std::pair<double, std::int32_t>;  // share, vertex
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (std::size_t v = 0; v < share.size(); ++v) {
+      if (share[v] < 1) queue.emplace(share[v], static_cast<std::int32_t>(v));
+    }
+    const auto lower = [&](std::int32_t v, double most) {
+      if (share[v] <= most) return;
+      share[v] = most;
+      queue.emplace(most, v);
+    };
+    while (!queue.empty()) {
+      const auto [least, v] = queue.top();
+      queue.pop();
+      if (least > share[v]) continue;
+      if (const std::int32_t site = motion_.sites.site_of[v]; site >= 0) {
+        for (const std::int32_t u : on_site_[site]) lower(u, least);
       }
-      for (std::size_t v = 0; v < share.size(); ++v) {
-        if (site_of[v] >= 0) share[v] = of_site[site_of[v]];
-      }
-      for (std::int32_t h = 0; h < 3 * mesh_.face_count(); ++h) {
-        double &a = share[mesh_.from(h)], &b = share[mesh_.to(h)];
-        const double most = growth(h) * std::max(std::min(a, b), nothing);
-        if (std::max(a, b) <= most) continue;
-        (a > b ? a : b) = most;
-        changed = true;
-      }
+      mesh_.for_each_outgoing(v, [&](std::int32_t h) {
+        for (const std::int32_t u : {mesh_.to(h), mesh_.from(TriangleMesh::prev(h))}) {
+          lower(u, least + growth * (mesh_.position(u) - mesh_.position(v)).norm() / spacing_);
+        }
+      });
     }
   }
 
@@ -198,9 +207,11 @@ class Limiter {
   const OpeningMotion& motion_;
   const TriangleMesh& mesh_;
   const Context& context_;
-  std::vector<Triangle> triangles_;  // of the mesh, then of the walls
+  std::vector<Triangle> triangles_;                 // of the mesh, then of the walls
+  std::vector<std::vector<std::int32_t>> on_site_;  // the vertices of each site
+  double spacing_ = 0;                              // mean distance between cracks
+  double growth_ = 1 / taper_per_spacing;           // of a share of the way, over such a distance
   OpeningShares shares_;
-  std::vector<double> taper_;  // 3 #F: how much larger a share of the way may be at the other end
   std::size_t most_pairs_;
   Pairs before_;  // crossings of the mesh as it is
   bool knows_before_ = false;
