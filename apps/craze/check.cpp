@@ -11,7 +11,6 @@
 #include "craze/mesh/mesh_summary.h"
 #include "craze/products/report_json.h"
 #include "craze/repair.h"
-#include "error_line.h"
 #include "part_boxes.h"
 #include "run_options.h"
 

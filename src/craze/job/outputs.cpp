@@ -14,6 +14,7 @@
 #include "craze/products/field_mesh.h"
 #include "craze/products/growth/growth.h"
 #include "craze/products/statistics/graph/graph_input.h"
+#include "craze/recipe/own_lengths.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
 #include "craze/write_mesh.h"
@@ -71,6 +72,7 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
     const std::vector<MaterialLook> seen = looks_from(looks, request.input, request.output);
     if (!seen.empty()) options.looks = &seen;
     options.up = picture.view.up;
+    options.metres_per_unit = metres_per_unit(shown.mesh, result.report().recipe);
     if (request.split_fragments) options.objects = "fragment";
     if (request.animate) options.animation = &animation;
     options.warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };

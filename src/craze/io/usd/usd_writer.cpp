@@ -44,14 +44,12 @@ class UsdWriter {
 
   std::string header() const {
     const UpAxis up = options_.up;
-    const double own = mesh_.metres_per_unit, given = options_.metres_per_unit;
+    double unit = mesh_.metres_per_unit > 0 ? mesh_.metres_per_unit : options_.metres_per_unit;
+    if (!(unit > 0)) unit = 1;
     std::string text = fmt::format(
         "#usda 1.0\n(\n    defaultPrim = \"craze\"\n    doc = \"craze\"\n    metersPerUnit = {}\n"
         "    upAxis = \"{}\"\n",
-        own > 0     ? own
-        : given > 0 ? given
-                    : 1.0,
-        up == UpAxis::z ? 'Z' : 'Y');
+        unit, up == UpAxis::z ? 'Z' : 'Y');
     if (options_.animation) {
       const double seconds = wait_before + options_.animation->seconds + wait_after;
       text +=
