@@ -15,8 +15,8 @@ namespace craze {
 /// bound to GeomSubsets. Numbers are in single precision, places of meshes in double, so that a
 /// mesh far from the origin keeps its digits. Names become identifiers, each once; the original
 /// stays as displayName. An animation becomes time samples of the points. The unit is the
-/// mesh's, else that of the options, else a metre; y is up unless they say z. Warns of textures that
-/// it cannot name. Throws Error(request) for a mesh that single precision cannot hold, and
+/// mesh's, else that of the options, else a metre; y is up unless they say z. Warns of textures
+/// that it cannot name. Throws Error(request) for a mesh that single precision cannot hold, and
 /// Cancelled.
 std::string format_usda(const SurfaceMesh& mesh, const MeshFileOptions& options = {},
                         const Context& context = {});
