@@ -63,6 +63,39 @@ TEST_F(Verbs, CheckSaysWhereAMeshAndItsPartsAre) {
   EXPECT_EQ(mesh["parts"][0]["box"]["high"], (nlohmann::json{2.0, 4.0, 3.0}));
 }
 
+TEST_F(Verbs, CheckListsWhatARecipeCanName) {
+  std::ofstream(file("two.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\no door\nusemtl glass\n"
+                                    "f 1 2 3\no roof\nusemtl wood\nf 3 2 4\n";
+  const std::string text = run({"check", "two.obj"}).out;
+  for (const char* line : {"unit: not known", "materials: glass (1), wood (1) triangles\n",
+                           "nodes: door (1), roof (1) triangles\n", "UV sets: 0\n",
+                           "a spacing to begin with: 0.085\n", "--set layer.spacing=0.085\n"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  }
+  const auto json = nlohmann::json::parse(run({"check", "two.obj", "--json"}).out);
+  EXPECT_EQ(json["materials"][0]["name"], "glass");
+  EXPECT_EQ(json["nodes"][1]["triangles"], 1);
+  EXPECT_TRUE(json["metres_per_unit"].is_null());
+  EXPECT_EQ(json["suggested_spacing"], 0.085);
+}
+
+TEST_F(Verbs, CheckShowsLengthsOfAFileWithAUnitInThatUnit) {
+  ASSERT_EQ(run({"crack", "shape:plate?n=4", "-o", "plate.glb", "--max-cracks", "0"}).code, 0);
+  const std::string text = run({"check", "plate.glb"}).out;
+  EXPECT_NE(text.find("unit: 1 m; size 1m x 1m x 0"), std::string::npos) << text;
+  EXPECT_NE(text.find("--set layer.spacing=85mm"), std::string::npos) << text;
+}
+
+TEST_F(Verbs, CheckAndRenderSayWhatOfAFileWasNotRead) {
+  std::ofstream(file("curve.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ncstype bezier\n";
+  const std::string warning = "craze: warning: ";
+  EXPECT_EQ(run({"check", "curve.obj"}).err.find(warning), 0u);
+  EXPECT_EQ(
+      run({"render", "curve.obj", "-o", "a.png", "--width", "8", "--height", "8", "--samples", "1"})
+          .err.find(warning),
+      0u);
+}
+
 TEST_F(Verbs, StatsTakesTheStepsOfPixelsOutOfASkeleton) {
   // A tilted grid of squares, 30 pixels wide, as a skeleton: from pixel to pixel.
   nlohmann::json lines{{"points", nlohmann::json::array()}, {"edges", nlohmann::json::array()}};
