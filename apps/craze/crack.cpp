@@ -55,7 +55,8 @@ int crack(Options& options) {
 
 void add_outputs(CLI::App& verb, RunRequest& request) {
   const char* group = "Outputs";
-  verb.add_option("-o,--output", request.output, "The cracked mesh: .ply, .obj, .stl, .glb or .usda")
+  verb.add_option("-o,--output", request.output,
+                  "The cracked mesh: .ply, .obj, .stl, .glb or .usda")
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--lines", request.lines, "The cracks as lines: .ply, .obj, .svg or .json")
@@ -76,7 +77,8 @@ void add_outputs(CLI::App& verb, RunRequest& request) {
 void add_growth(CLI::App& verb, RunRequest& request) {
   const char* group = "Growth";
   verb.add_flag("--animate", request.animate,
-                "In -o, .glb or .usda: the cracks open one after the other, in any viewer; needs post.gap")
+                "In -o, .glb or .usda: the cracks open one after the other, in any viewer; needs "
+                "post.gap")
       ->group(group);
   verb.add_option("--stages", request.animation_stages,
                   "Morph targets of --animate; some old viewers know only 8")

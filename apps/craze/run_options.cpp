@@ -36,9 +36,10 @@ void add_run_options(CLI::App& verb, RunOptions& options, const char* quiet) {
 }
 
 void add_warning_option(CLI::App& verb, bool& no_warnings) {
-  verb.add_flag("--no-warnings", no_warnings,
-                "Do not say what was left out or could not be done as asked; reports say it all the "
-                "same");
+  verb.add_flag(
+      "--no-warnings", no_warnings,
+      "Do not say what was left out or could not be done as asked; reports say it all the "
+      "same");
 }
 
 void print_warnings(const RunOptions& options, const std::vector<std::string>& warnings) {

@@ -31,6 +31,7 @@ bool is_same_corner(const SurfaceMesh& s, std::int32_t c, std::int32_t d) {
 /// Whether nothing but a cut parts the two sides of an edge.
 bool is_same_side(const SurfaceMesh& s, std::int32_t h, std::int32_t g) {
   if (!s.face_materials.empty() && s.face_materials[h / 3] != s.face_materials[g / 3]) return false;
+  if (!s.face_objects.empty() && s.face_objects[h / 3] != s.face_objects[g / 3]) return false;
   return is_same_corner(s, h, TriangleMesh::next(g)) && is_same_corner(s, TriangleMesh::next(h), g);
 }
 
