@@ -1,26 +1,38 @@
 // A mesh to bytes, or to a file, of any format the project writes.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "craze/context.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
 
+class SourceScene;      // read_mesh.h
 struct MorphAnimation;  // mesh/morph_animation.h
+struct SurfaceOrigin;   // mesh/surface_origin.h
 
 /// What not every format can hold.
 struct MeshFileOptions {
   /// A face attribute, one object NAME_VALUE per value: OBJ and GLB; empty: one object.
-  std::string objects;
+  std::string objects = {};
   /// GLB; null: nothing moves.
   const MorphAnimation* animation = nullptr;
+  /// What the mesh was read with, to be written with it; null: the mesh alone.
+  std::shared_ptr<const SourceScene> scene = {};
+  /// How the mesh lies in the surface of `scene`; null: it is another surface, of the same
+  /// materials.
+  const SurfaceOrigin* origin = nullptr;
+  /// GLB: edges to be drawn as lines, halfedges 3f+i from corner i to corner i+1 of face f.
+  std::vector<std::int32_t> crack_edges = {};
   /// Told, in one sentence each, what the format cannot hold; may be empty.
-  std::function<void(const std::string&)> warn;
+  std::function<void(const std::string&)> warn = {};
 };
 
 /// The bytes of a file of that format: "ply", "obj", "stl" or "glb". PLY keeps everything but the

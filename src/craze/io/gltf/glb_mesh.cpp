@@ -20,17 +20,6 @@ float to_float(double x) {
   return static_cast<float>(std::clamp(x, -most, most));
 }
 
-/// "_CRACK_DISTANCE" for "crack distance".
-std::string attribute_name(const std::string& name) {
-  std::string result = "_";
-  for (const char c : name) {
-    const bool is_lower = c >= 'a' && c <= 'z';
-    const bool is_kept = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    result += is_lower ? static_cast<char>(c - 'a' + 'A') : is_kept ? c : '_';
-  }
-  return result;
-}
-
 class MeshWriter {
  public:
   MeshWriter(const SurfaceMesh& mesh, GlbBuffer& buffer, const Context& context)
@@ -97,7 +86,7 @@ class MeshWriter {
     const bool fits = a.components <= 4;
     const int n = fits ? a.components : 1;
     for (int first = 0; first < a.components; first += n) {
-      std::string name = attribute_name(fits ? a.name : a.name + "_" + std::to_string(first));
+      std::string name = glb_attribute_name(fits ? a.name : a.name + "_" + std::to_string(first));
       while (attributes_.contains(name)) name += '_';
       std::vector<float> numbers;
       for (const std::int32_t v : unified_.sources) {
@@ -162,6 +151,16 @@ class MeshWriter {
 };
 
 }  // namespace
+
+std::string glb_attribute_name(const std::string& name) {
+  std::string result = "_";
+  for (const char c : name) {
+    const bool is_lower = c >= 'a' && c <= 'z';
+    const bool is_kept = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    result += is_lower ? static_cast<char>(c - 'a' + 'A') : is_kept ? c : '_';
+  }
+  return result;
+}
 
 std::size_t GlbMaterials::number(const SurfaceMesh& mesh, std::int32_t face_material) {
   for (const auto& [material, number] : known_) {

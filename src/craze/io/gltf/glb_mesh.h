@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "craze/context.h"
@@ -10,6 +11,9 @@
 #include "craze/surface_mesh.h"
 
 namespace craze {
+
+/// "_CRACK_DISTANCE" for "crack distance".
+std::string glb_attribute_name(const std::string& name);
 
 /// The materials of a file, numbered as they are first asked for.
 class GlbMaterials {

@@ -8,6 +8,8 @@
 
 #include "craze/io/gltf/glb_buffer.h"
 #include "craze/io/gltf/glb_mesh.h"
+#include "craze/io/gltf/growth_clip.h"
+#include "craze/io/gltf/scene/scene_writer.h"
 #include "craze/io/polygons/polygon_soup.h"
 #include "craze/mesh/mesh_parts.h"
 
@@ -16,9 +18,6 @@ namespace craze {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// Seconds that the clip waits before and after, so that a loop shows both ends.
-constexpr double wait_before = 0.25, wait_after = 1;
 
 /// Numbers on this grid, and differences of two of them, are exact in single precision.
 double float_grid(const SurfaceMesh& mesh) {
@@ -147,29 +146,17 @@ class GlbWriter {
     }
   }
 
-  /// Each stage's weight goes from 1 to 0 while the stage lasts.
   ordered_json animation() {
-    const std::size_t stages = options_.animation->stages.size();
-    std::vector<float> keys, weights;
-    const auto add_key = [&](double seconds, std::size_t stages_done) {
-      keys.push_back(static_cast<float>(seconds));
-      for (std::size_t k = 0; k < stages; ++k) weights.push_back(k < stages_done ? 0.0f : 1.0f);
-    };
-    const double each = options_.animation->seconds / static_cast<double>(stages);
-    add_key(0, 0);
-    for (std::size_t k = 0; k <= stages; ++k) {
-      add_key(wait_before + static_cast<double>(k) * each, k);
-    }
-    add_key(wait_before + options_.animation->seconds + wait_after, stages);
+    const GrowthClipKeys clip = growth_clip_keys(*options_.animation);
     ordered_json json{{"name", "growth"}, {"channels", ordered_json::array()}};
     for (std::size_t node = 0; node < nodes_.size(); ++node) {
       json["channels"].push_back(
           {{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}});
     }
-    const std::size_t input = buffer_.add_keys(keys);
+    const std::size_t input = buffer_.add_keys(clip.seconds);
     json["samplers"] = {{{"input", input},
                          {"interpolation", "LINEAR"},
-                         {"output", buffer_.add_floats(weights, 1, GlbBuffer::Target::none)}}};
+                         {"output", buffer_.add_floats(clip.weights, 1, GlbBuffer::Target::none)}}};
     return json;
   }
 
@@ -184,6 +171,10 @@ class GlbWriter {
 
 std::string format_glb(const SurfaceMesh& mesh, const MeshFileOptions& options,
                        const Context& context) {
+  const auto* document = dynamic_cast<const GltfDocument*>(options.scene.get());
+  if (document && options.origin && options.objects.empty()) {
+    return format_scene(mesh, *document, options, context);
+  }
   if (mesh.corner_normals.empty()) return GlbWriter(options, context).write(mesh);
   SurfaceMesh unit = mesh;
   normalize_corner_normals(unit);

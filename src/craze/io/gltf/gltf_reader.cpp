@@ -70,7 +70,7 @@ SurfaceMesh read_gltf(const MeshSource& source) {
   const Json root = parse_json(chunks.json, name);
   check_version(root, GltfJson(name));
   check_required_extensions(root, name);
-  warn_of_what_is_left_out(root, source);
+  list_pictures(root, source);
   const std::size_t budget = free_elements + 2 * source.bytes.size();
   GltfNodes nodes(root, name);
   GltfAccessors accessors(root, chunks.bin, source.files, budget, name);
@@ -82,7 +82,9 @@ SurfaceMesh read_gltf(const MeshSource& source) {
     meter.at(i);
     builder.add(instances[i]);
   }
-  return builder.finish();
+  SurfaceMesh mesh = builder.finish();
+  source.scene = keep_document(root, accessors, builder.take_parts(), mesh, source);
+  return mesh;
 }
 
 }  // namespace craze
