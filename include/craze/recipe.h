@@ -21,9 +21,16 @@ struct EdgeLength {
   double length = 0;  ///< target edge length, model units; 0 unless given
 };
 
+/// mesh.output: which triangles carry the cracks in the end.
+enum class OutputMesh {
+  asset,       ///< the input's own, split only where a crack passes
+  simulation,  ///< those that the cracks grew on
+};
+
 /// [mesh]
 struct MeshParameters {
   EdgeLength edge;
+  OutputMesh output = OutputMesh::asset;
 };
 
 /// [post]: §5 of the paper, done to the finished mesh.

@@ -147,6 +147,12 @@ struct RandomCurves {
   int stride = 3;  ///< faces from one point to the next, at most
 };
 
+/// Vertices at one position are one place.
+inline CutAsset cut(const SurfaceMesh& asset, const CrackCurves& curves,
+                    const CutOptions& options) {
+  return cut_asset(asset, AssetTopology(asset.positions, asset.triangles), curves, options);
+}
+
 /// Chains of points from face to neighbouring face, some of which start on a point of another one.
 inline CrackCurves random_curves(const SurfaceMesh& asset, Random& random,
                                  const RandomCurves& options) {

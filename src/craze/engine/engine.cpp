@@ -1,11 +1,14 @@
 #include "craze/engine.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <iterator>
 
 #include "craze/engine/cracked_surface.h"
 #include "craze/engine/spacing_rounds.h"
 #include "craze/error.h"
-#include "craze/repair.h"
+#include "craze/mesh/repair/traced_repair.h"
 
 namespace craze {
 
@@ -15,13 +18,13 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-SurfaceMesh repaired(const Input& input, Report& report, const Context& context) {
-  SurfaceMesh surface = repair(*input.surface, {}, report.repair, context);
-  if (surface.triangles.empty()) {
+TracedSurface repaired(const Input& input, Report& report, const Context& context) {
+  TracedSurface traced = traced_repair(*input.surface, {}, report.repair, context);
+  if (traced.surface.triangles.empty()) {
     throw Error(ErrorKind::input, "nothing to crack", input.name,
                 "the mesh has no triangle with area");
   }
-  return surface;
+  return traced;
 }
 
 double total_length(const CrackNetwork& network) {
@@ -30,6 +33,41 @@ double total_length(const CrackNetwork& network) {
     length += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
   }
   return length;
+}
+
+CarriedCounts count_carried(const CutAsset& cut, std::size_t triangles_before) {
+  CarriedCounts counts;
+  counts.split_triangles = cut.report.split_faces;
+  counts.added_triangles = std::ssize(cut.triangles) - static_cast<std::int64_t>(triangles_before);
+  counts.halved_pieces = cut.report.traced.halved;
+  counts.lost_pieces = cut.report.traced.lost + cut.report.lost_segments;
+  counts.lost_length = cut.report.traced.lost_length;
+  return counts;
+}
+
+/// Puts the cracks of a finished run into the mesh that products speak of.
+void settle(CrackedSurface& state, SimulationSurface surface, Report& report,
+            const Context& context) {
+  const auto start = std::chrono::steady_clock::now();
+  const Simulation& simulation = *state.simulation;
+  state.network = crack_network(simulation);
+  state.fragments = find_components(simulation.mesh());
+  if (surface.asset.triangles.empty()) {
+    state.surface = std::move(surface.mesh);
+    return;
+  }
+  context.report({"carry", 0, simulation.events(), count_mesh(surface.asset).triangles});
+  const std::vector<Vec3> displacement = state.displacements();
+  auto carried = std::make_unique<CrackedAsset>(carry_onto_asset(
+      surface.asset,
+      {simulation.mesh(), state.network, displacement, state.fragments.face, surface.asset_face},
+      -1));
+  state.network = std::move(carried->network);
+  state.asset = std::move(carried);
+  state.surface = std::move(surface.asset);
+  state.fragments = find_components(state.mesh());
+  report.carried = count_carried(state.asset->cut, state.surface.triangles.size());
+  report.time.carry = seconds_since(start);
 }
 
 void add_warnings(Report& report, const LastCycle& last, const Simulation& simulation) {
@@ -43,6 +81,13 @@ void add_warnings(Report& report, const LastCycle& last, const Simulation& simul
     report.warnings.push_back(
         "equilibrium was not always reached (evolution.residual): double precision ends before it; "
         "cracks may open a little too early or late");
+  }
+  if (report.carried.lost_pieces > 0) {
+    report.warnings.push_back(fmt::format(
+        "{} pieces of crack, {:.2g} of {:.3g} long, found no way over the input's triangles "
+        "(mesh.output): gaps or folds lie between their ends",
+        report.carried.lost_pieces, report.carried.lost_length,
+        report.carried.lost_length + report.cracks.length));
   }
   if (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load) {
     if (const auto warning = spacing_warning(report.recipe.simulation.layer, simulation.mesh(),
@@ -63,28 +108,31 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   report.threads = context.threads.count();
   report.input = count_mesh(*input.surface);
   context.report({"repair", 0, 0, report.input.triangles});
-  SurfaceMesh surface = repaired(input, report, context);
+  TracedSurface traced = repaired(input, report, context);
   input.surface.reset();
   report.time.load = seconds_since(start);
-  context.report({"prepare", -1, 0, count_mesh(surface).triangles});
+  context.report({"prepare", -1, 0, count_mesh(traced.surface).triangles});
   context.check();
 
-  SpacedRun run = options.max_cracks == 0
-                      ? uncracked(std::move(surface), report.recipe, input.textures, context)
-                      : run_to_spacing(std::move(surface), report.recipe, input.textures, context);
+  SpacedRun run =
+      options.max_cracks == 0
+          ? uncracked(std::move(traced.surface), report.recipe, input.textures, context)
+          : run_to_spacing(std::move(traced.surface), report.recipe, input.textures, context);
   if (run.last.reason == StopReason::cancelled && options.on_cancel == OnCancel::discard) {
     throw Cancelled();
   }
   auto state = std::make_shared<CrackedSurface>();
   state->recipe = std::move(run.recipe);
-  state->surface = std::move(run.surface.mesh);
-  state->network = crack_network(*run.last.simulation);
-  state->fragments = find_components(run.last.simulation->mesh());
+  state->simulation = std::move(run.last.simulation);
+  report.simulation = count_mesh(run.surface.mesh);
+  settle(*state, std::move(run.surface), report, context);
+  if (state->recipe.mesh.output == OutputMesh::asset) {
+    state->surface_origin = std::move(traced.origin);
+  }
 
-  const Simulation& simulation = *run.last.simulation;
+  const Simulation& simulation = *state->simulation;
   report.recipe = state->recipe;
-  report.simulation = count_mesh(state->surface);
-  report.output = {simulation.mesh().vertex_count(), simulation.mesh().face_count()};
+  report.output = {state->mesh().vertex_count(), state->mesh().face_count()};
   report.cracks = {simulation.events(), simulation.segments(), total_length(state->network),
                    state->fragments.count};
   report.stop_reason = to_string(run.last.reason);
@@ -94,7 +142,6 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   report.time.relax = run.last.times.relax;
   report.time.separation = run.last.times.separation;
   report.time.crack = run.last.times.crack;
-  state->simulation = std::move(run.last.simulation);
   report.time.total = seconds_since(start);
   return {std::move(state), std::move(report)};
 }

@@ -39,7 +39,8 @@ class Photographer {
   }
 
   render::Image picture(double time, const Context& context) {
-    render::set_widths(lines_, scene_.times.sites.sides, scene_.growth.side_openness_at(time));
+    render::set_widths(lines_, scene_.shown.times.sites.sides,
+                       scene_.growth.side_openness_at(time));
     mesh_.positions = scene_.growth.positions_at(time);
     return render::render_picture(mesh_, &lines_, options_, context);
   }

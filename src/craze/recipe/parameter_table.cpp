@@ -37,7 +37,11 @@ std::vector<Parameter> make_table() {
            {.help = "edge length of the simulation mesh; \"keep\": the input's triangles",
             .symbol = "h",
             .unit = "length",
-            .choices = {"auto", "keep"}});
+            .choices = {"auto", "keep"}})
+      .add("output", &MeshParameters::output, any,
+           {.help = "what the cracks are cut into: \"asset\": the input's own triangles, which are "
+                    "split only where a crack passes; \"simulation\": the mesh they grew on",
+            .choices = {"asset", "simulation"}});
 
   Section(
       t, "stress.", [](auto& r, std::size_t) -> auto& { return r.simulation.stress; })
