@@ -13,6 +13,8 @@
 #include "craze/products/cut_surface.h"
 #include "craze/products/field_mesh.h"
 #include "craze/products/growth/growth.h"
+#include "craze/products/opening/crack_edges.h"
+#include "craze/products/opening/opened_origin.h"
 #include "craze/products/statistics/graph/graph_input.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
@@ -51,8 +53,10 @@ void write_picture(const RunRequest& request, const OpenedSurface& shown, const 
 }
 
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
-void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown,
-                           const Result& result, Report& report, const Context& context) {
+void write_mesh_and_growth(const RunRequest& request,
+                           const std::shared_ptr<const SourceScene>& scene,
+                           const OpenedSurface& shown, const Result& result, Report& report,
+                           const Context& context) {
   const bool frames = !request.frames.empty() || !request.video.empty();
   std::optional<Growth> growth;
   if (request.animate || frames) growth.emplace(result, shown);
@@ -65,6 +69,12 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
     MeshFileOptions options;
     if (request.split_fragments) options.objects = "fragment";
     if (request.animate) options.animation = &animation;
+    const SurfaceOrigin origin = opened_origin(result, shown);
+    options.scene = scene;
+    if (!origin.face.empty()) options.origin = &origin;
+    if (shown.shut && request.recipe.post.lines != ShutCracks::none) {
+      options.crack_edges = crack_edges(result, shown);
+    }
     options.warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
     write_mesh(request.output, shown.mesh, options, context);
   }
@@ -75,9 +85,9 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
 
 }  // namespace
 
-std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request,
-                                                       const Result& result, Report& report,
-                                                       const Context& context) {
+std::optional<StatisticsWithSensitivity> write_outputs(
+    const RunRequest& request, const std::shared_ptr<const SourceScene>& scene,
+    const Result& result, Report& report, const Context& context) {
   GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
@@ -86,7 +96,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
       opened_surface(result, std::move(cut), std::move(times), request.recipe.post, context);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
-  write_mesh_and_growth(request, shown, result, report, context);
+  write_mesh_and_growth(request, scene, shown, result, report, context);
   context.check();
   if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), context);
   context.check();

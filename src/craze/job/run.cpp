@@ -30,10 +30,10 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-Input load(const RunRequest& request, std::vector<std::string>& warnings, const Context& context) {
+/// `file` keeps all but its surface.
+Input load(const RunRequest& request, MeshFile& file, const Context& context) {
   Input input;
-  MeshFile file = load_surface(request.input, context);
-  warnings = std::move(file.warnings);
+  file = load_surface(request.input, context);
   input.name = request.input;
   input.surface = std::make_shared<const SurfaceMesh>(std::move(file.mesh));
   const SimulationParameters& p = request.recipe.simulation;
@@ -64,20 +64,20 @@ Context for_writing(const Context& context, const Report& report, bool stopped) 
 RunResult run(const RunRequest& request, const Context& context) {
   check_request(request);
   Stopwatch total, phase;
-  std::vector<std::string> warnings;
-  Input input = load(request, warnings, context);
+  MeshFile file;
+  Input input = load(request, file, context);
   const double load_time = phase.lap();
 
   const Result result = crack(std::move(input), request.recipe, {request.max_cracks}, context);
   const bool stopped = result.report().stop_reason == to_string(StopReason::cancelled);
   Report report = result.report();
   report.time.load += load_time;
-  report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
+  report.warnings.insert(report.warnings.begin(), file.warnings.begin(), file.warnings.end());
   phase.lap();
 
   const Context writing = for_writing(context, report, stopped);
   writing.report({"write"});
-  const auto statistics = write_outputs(request, result, report, writing);
+  const auto statistics = write_outputs(request, file.scene, result, report, writing);
   writing.check();
   report.time.write = phase.lap();
   report.time.total = total.lap();

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "craze/base/progress_meter.h"
+#include "craze/io/gltf/line_lifts.h"
 #include "craze/io/polygons/single_precision.h"
 #include "craze/io/polygons/unify_corners.h"
 
@@ -177,6 +178,40 @@ std::size_t GlbMaterials::number(const SurfaceMesh& mesh, std::int32_t face_mate
                    {"doubleSided", true}});
   known_.emplace_back(face_material, json_.size() - 1);
   return json_.size() - 1;
+}
+
+std::size_t GlbMaterials::add_line() {
+  json_.push_back({{"name", "crack_line"},
+                   {"pbrMetallicRoughness",
+                    {{"baseColorFactor", {0.02, 0.02, 0.02, 1.0}},
+                     {"metallicFactor", 0.0},
+                     {"roughnessFactor", 0.8}}},
+                   {"extensions", {{"KHR_materials_unlit", ordered_json::object()}}}});
+  return json_.size() - 1;
+}
+
+ordered_json glb_lines(const SurfaceMesh& mesh, const Vec3& origin,
+                       const std::vector<std::int32_t>& halfedges, GlbBuffer& buffer,
+                       GlbMaterials& materials) {
+  const std::vector<Vec3> lifts = line_lifts(mesh);
+  std::map<std::int32_t, std::uint32_t> numbers;
+  std::vector<std::array<float, 3>> points;
+  std::vector<std::uint32_t> indices;
+  for (const std::int32_t h : halfedges) {
+    const Triangle& t = mesh.triangles[h / 3];
+    for (const std::int32_t v : {t[h % 3], t[(h + 1) % 3]}) {
+      const auto [found, is_new] =
+          numbers.try_emplace(v, static_cast<std::uint32_t>(points.size()));
+      if (is_new) points.push_back(to_floats(mesh.positions[v] + lifts[v] - origin, "GLB"));
+      indices.push_back(found->second);
+    }
+  }
+  constexpr int lines_mode = 1;
+  ordered_json primitive{{"mode", lines_mode},
+                         {"attributes", {{"POSITION", buffer.add_positions(points)}}},
+                         {"indices", buffer.add_indices(indices)},
+                         {"material", materials.add_line()}};
+  return {{"name", "crack_lines"}, {"primitives", ordered_json::array({std::move(primitive)})}};
 }
 
 ordered_json glb_mesh(const SurfaceMesh& mesh, const Vec3& origin,

@@ -20,12 +20,19 @@ class GlbMaterials {
  public:
   /// The number of a face material of `mesh`; −1: the plain one.
   std::size_t number(const SurfaceMesh& mesh, std::int32_t face_material);
+  /// A dark one for lines, that no light changes.
+  std::size_t add_line();
   const nlohmann::ordered_json& json() const { return json_; }
 
  private:
   std::vector<std::pair<std::int32_t, std::size_t>> known_;
   nlohmann::ordered_json json_ = nlohmann::ordered_json::array();
 };
+
+/// The glTF object of lines along these halfedges 3f+i of a mesh, a hair above it, less `origin`.
+nlohmann::ordered_json glb_lines(const SurfaceMesh& mesh, const Vec3& origin,
+                                 const std::vector<std::int32_t>& halfedges, GlbBuffer& buffer,
+                                 GlbMaterials& materials);
 
 /// The glTF object of a mesh, its numbers appended to the buffer. Positions are written less
 /// `origin`. `stages` are morph targets that take back what the stages do. Throws Cancelled.

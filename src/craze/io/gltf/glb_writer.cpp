@@ -104,6 +104,7 @@ class GlbWriter {
       for (Vec3& p : near.positions) p -= far;
       add_parts(near);
     }
+    if (!options_.crack_edges.empty()) add_lines(mesh, far);
     ordered_json root;
     root["asset"] = {{"version", "2.0"}, {"generator", "craze"}};
     root["scene"] = 0;
@@ -120,6 +121,7 @@ class GlbWriter {
     }
     root["meshes"] = meshes_;
     root["materials"] = materials_.json();
+    if (!options_.crack_edges.empty()) root["extensionsUsed"] = {"KHR_materials_unlit"};
     if (options_.animation) root["animations"] = ordered_json::array({animation()});
     return buffer_.pack(root);
   }
@@ -144,6 +146,14 @@ class GlbWriter {
                options_.animation ? stages_of(*options_.animation, own.vertices)
                                   : std::vector<MorphStage>{});
     }
+  }
+
+  /// A node of its own; below that of the parts where there is one, as their origin is.
+  void add_lines(const SurfaceMesh& mesh, const Vec3& far) {
+    ordered_json node{{"name", "crack_lines"}, {"mesh", meshes_.size()}};
+    if (options_.objects.empty() && !far.isZero(0)) node["translation"] = to_json(far);
+    nodes_.push_back(std::move(node));
+    meshes_.push_back(glb_lines(mesh, far, options_.crack_edges, buffer_, materials_));
   }
 
   ordered_json animation() {

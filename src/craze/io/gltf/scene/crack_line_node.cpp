@@ -1,4 +1,3 @@
-#include <Eigen/Geometry>
 #include <map>
 
 #include "craze/io/gltf/scene/crack_primitives.h"
@@ -7,9 +6,6 @@ namespace craze {
 
 namespace {
 
-/// Of the diagonal: what a depth buffer of 24 bits tells apart from anywhere near the object, and
-/// the eye does not.
-constexpr double lift = 2e-4;
 constexpr int lines_mode = 1;
 
 bool is_of_lines(const std::string& name) {
@@ -33,21 +29,6 @@ void animate_as(std::size_t node, std::size_t lines, Json& root) {
 }
 
 }  // namespace
-
-LineStyle line_style(const SurfaceMesh& mesh, std::size_t material) {
-  LineStyle style{std::vector<Vec3>(mesh.positions.size(), Vec3::Zero()), material};
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : mesh.positions) box.extend(p);
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3& p = mesh.positions[t[0]];
-    const Vec3 n = (mesh.positions[t[1]] - p).cross(mesh.positions[t[2]] - p);
-    for (const std::int32_t v : t) style.lifts[v] += n;
-  }
-  for (Vec3& n : style.lifts) {
-    n = n.stableNormalized() * (lift * box.diagonal().norm());
-  }
-  return style;
-}
 
 Json line_primitive(const PrimitiveSource& source, const std::vector<std::int32_t>& crack_edges,
                     const LineStyle& style, SceneOutput& output) {

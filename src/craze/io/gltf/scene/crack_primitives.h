@@ -29,12 +29,9 @@ Json wall_primitive(const PrimitiveSource& source, const std::vector<std::int32_
 
 /// How lines are drawn on the whole scene.
 struct LineStyle {
-  /// #V of the cut mesh: what takes a line a hair off the surface, so that it is not lost in it.
-  std::vector<Vec3> lifts;
+  std::vector<Vec3> lifts;  ///< #V of the cut mesh (line_lifts.h)
   std::size_t material = 0;
 };
-
-LineStyle line_style(const SurfaceMesh& mesh, std::size_t material);
 
 /// Halfedges 3f+i of the cut mesh as a primitive of lines that moves with the part.
 Json line_primitive(const PrimitiveSource& source, const std::vector<std::int32_t>& crack_edges,

@@ -7,6 +7,7 @@
 #include "craze/base/progress_meter.h"
 #include "craze/io/gltf/gltf_primitive.h"
 #include "craze/io/gltf/gltf_skin.h"
+#include "craze/io/gltf/line_lifts.h"
 #include "craze/io/gltf/scene/crack_primitives.h"
 #include "craze/io/gltf/scene/primitive_vertices.h"
 #include "craze/io/gltf/scene/scene_growth.h"
@@ -71,7 +72,8 @@ class SceneWriter {
         walls.push_back(wall_primitive(source, own.walls, *wall_material_, growth, output_));
       }
       if (edges.empty()) continue;
-      if (!line_style_) line_style_ = line_style(cut_.mesh(), add_line_material(output_));
+      if (!line_style_)
+        line_style_ = LineStyle{line_lifts(cut_.mesh()), add_line_material(output_)};
       lines.push_back(line_primitive(source, edges, *line_style_, output_));
     }
     for (Json& wall : walls) {
