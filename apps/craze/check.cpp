@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app.h"
+#include "craze/io/source_scene.h"
 #include "craze/job/load_surface.h"
 #include "craze/mesh/mesh_summary.h"
 #include "craze/products/report_json.h"
@@ -33,6 +34,7 @@ using Box = Eigen::AlignedBox3d;
 /// What check says.
 struct Checked {
   const SurfaceMesh& input;
+  std::vector<SceneContent> contents;  ///< what the file holds besides
   RepairReport repair;
   MeshSummary summary;         ///< of the repaired mesh,
   std::vector<PartBox> parts;  ///< and its parts
@@ -44,8 +46,10 @@ struct Checked {
   }
 };
 
-Checked check(const SurfaceMesh& input) {
-  Checked checked{input, {}, {}, {}};
+Checked check(const MeshFile& file) {
+  const SurfaceMesh& input = file.mesh;
+  Checked checked{input, {}, {}, {}, {}};
+  if (file.scene) checked.contents = file.scene->contents();
   const SurfaceMesh repaired = repair(input, {}, checked.repair);
   const TriangleMesh mesh(repaired.positions, repaired.triangles);
   checked.summary = summarize(mesh);
@@ -89,6 +93,21 @@ nlohmann::ordered_json parts_json(const std::vector<PartBox>& parts) {
   return list;
 }
 
+/// "2 animations: drive, wave".
+std::string contents_text(const std::vector<SceneContent>& contents) {
+  constexpr std::size_t most_names = 8;
+  std::string text;
+  for (const auto& [kind, names] : contents) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i) {
+      if (!names[i].empty()) list += (list.empty() ? ": " : ", ") + names[i];
+    }
+    const bool more = names.size() > most_names && !list.empty();
+    text += fmt::format("{} {}{}{}\n", names.size(), kind, list, more ? ", ..." : "");
+  }
+  return text;
+}
+
 std::string as_text(const Checked& checked) {
   const SurfaceMesh& input = checked.input;
   const MeshSummary& s = checked.summary;
@@ -107,7 +126,14 @@ std::string as_text(const Checked& checked) {
   text += fmt::format("worst triangle {:.3g} times as long as high\n", s.worst_aspect);
   std::string list;
   for (const std::string& name : extras(input)) list += (list.empty() ? "" : ", ") + name;
-  return text + "attributes: " + (list.empty() ? "none" : list) + "\n";
+  return text + "attributes: " + (list.empty() ? "none" : list) + "\n" +
+         contents_text(checked.contents);
+}
+
+nlohmann::ordered_json contents_json(const std::vector<SceneContent>& contents) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::object();
+  for (const auto& [kind, names] : contents) all[kind] = names;
+  return all;
 }
 
 nlohmann::ordered_json as_json(const Checked& checked) {
@@ -134,7 +160,8 @@ nlohmann::ordered_json as_json(const Checked& checked) {
             {"worst_aspect", s.worst_aspect}}},
           {"repair", repair_to_json(checked.repair)},
           {"sound", !checked.repair.defects()},
-          {"attributes", extras(input)}};
+          {"attributes", extras(input)},
+          {"contents", contents_json(checked.contents)}};
 }
 
 }  // namespace
@@ -156,8 +183,8 @@ void add_check(CLI::App& app, Action& action) {
       "  craze check scan.stl --json | jq .repair");
   verb->callback([options, &action] {
     action = [options] {
-      const SurfaceMesh input = load_surface(options->input).mesh;
-      const Checked checked = check(input);
+      const MeshFile file = load_surface(options->input);
+      const Checked checked = check(file);
       return print(options->json ? as_json(checked).dump(2) + "\n" : as_text(checked));
     };
   });

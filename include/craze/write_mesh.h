@@ -31,6 +31,9 @@ struct MeshFileOptions {
   const SurfaceOrigin* origin = nullptr;
   /// GLB: edges to be drawn as lines, halfedges 3f+i from corner i to corner i+1 of face f.
   std::vector<std::int32_t> crack_edges = {};
+  /// OBJ: the names after `mtllib`; empty: without. write_mesh() finds those of an OBJ file's
+  /// scene.
+  std::string material_library = {};
   /// Told, in one sentence each, what the format cannot hold; may be empty.
   std::function<void(const std::string&)> warn = {};
 };

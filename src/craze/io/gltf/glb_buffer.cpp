@@ -92,6 +92,12 @@ std::size_t GlbBuffer::add_sparse_vectors(std::size_t count, std::span<const std
   return accessors_.size() - 1;
 }
 
+std::size_t GlbBuffer::add_bytes(const std::string& bytes) {
+  const std::size_t view = add_view(std::span<const char>(bytes), Target::none);
+  bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');  // whatever comes next is aligned
+  return view;
+}
+
 std::size_t GlbBuffer::add_keys(std::span<const float> keys) {
   const std::size_t accessor = add_floats(keys, 1, Target::none);
   const auto [low, high] = std::minmax_element(keys.begin(), keys.end());

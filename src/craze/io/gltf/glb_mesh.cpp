@@ -167,6 +167,12 @@ std::size_t GlbMaterials::number(const SurfaceMesh& mesh, std::int32_t face_mate
   for (const auto& [material, number] : known_) {
     if (material == face_material) return number;
   }
+  known_.emplace_back(face_material, json_.size());
+  const auto own = static_cast<std::size_t>(face_material);
+  if (face_material >= 0 && own < library_.materials.size() && !library_.materials[own].is_null()) {
+    json_.push_back(library_.materials[own]);
+    return json_.size() - 1;
+  }
   const std::string name = face_material < 0 ? "surface" : mesh.material_names[face_material];
   // Colours of vertices are multiplied by the material's.
   const double grey = name == "crack_wall" ? 0.25 : mesh.vertex_colors.empty() ? 0.8 : 1.0;
@@ -176,7 +182,6 @@ std::size_t GlbMaterials::number(const SurfaceMesh& mesh, std::int32_t face_mate
                      {"metallicFactor", 0.0},
                      {"roughnessFactor", 0.8}}},
                    {"doubleSided", true}});
-  known_.emplace_back(face_material, json_.size() - 1);
   return json_.size() - 1;
 }
 

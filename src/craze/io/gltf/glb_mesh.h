@@ -7,6 +7,7 @@
 
 #include "craze/context.h"
 #include "craze/io/gltf/glb_buffer.h"
+#include "craze/io/gltf/material_library.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/surface_mesh.h"
 
@@ -18,6 +19,9 @@ std::string glb_attribute_name(const std::string& name);
 /// The materials of a file, numbered as they are first asked for.
 class GlbMaterials {
  public:
+  /// `library`: those that are known of the mesh's materials, or empty. Must outlive this.
+  explicit GlbMaterials(const MaterialLibrary& library) : library_(library) {}
+
   /// The number of a face material of `mesh`; −1: the plain one.
   std::size_t number(const SurfaceMesh& mesh, std::int32_t face_material);
   /// A dark one for lines, that no light changes.
@@ -25,6 +29,7 @@ class GlbMaterials {
   const nlohmann::ordered_json& json() const { return json_; }
 
  private:
+  const MaterialLibrary& library_;
   std::vector<std::pair<std::int32_t, std::size_t>> known_;
   nlohmann::ordered_json json_ = nlohmann::ordered_json::array();
 };

@@ -87,8 +87,11 @@ std::vector<MorphStage> stages_of(const MorphAnimation& animation,
 
 class GlbWriter {
  public:
-  GlbWriter(const MeshFileOptions& options, const Context& context)
-      : options_(options), context_(context) {}
+  GlbWriter(const SurfaceMesh& mesh, const MeshFileOptions& options, const Context& context)
+      : options_(options),
+        context_(context),
+        library_(material_library(options.scene.get(), mesh)),
+        materials_(library_) {}
 
   std::string write(const SurfaceMesh& mesh) {
     const Vec3 far = far_origin(mesh);
@@ -121,7 +124,9 @@ class GlbWriter {
     }
     root["meshes"] = meshes_;
     root["materials"] = materials_.json();
-    if (!options_.crack_edges.empty()) root["extensionsUsed"] = {"KHR_materials_unlit"};
+    add_pictures(root);
+    const std::vector<std::string> extensions = extensions_of(root);
+    if (!extensions.empty()) root["extensionsUsed"] = extensions;
     if (options_.animation) root["animations"] = ordered_json::array({animation()});
     return buffer_.pack(root);
   }
@@ -146,6 +151,17 @@ class GlbWriter {
                options_.animation ? stages_of(*options_.animation, own.vertices)
                                   : std::vector<MorphStage>{});
     }
+  }
+
+  /// What the input's materials refer to.
+  void add_pictures(ordered_json& root) {
+    for (std::size_t i = 0; i < library_.images.size(); ++i) {
+      if (library_.image_bytes[i].empty()) continue;
+      library_.images[i]["bufferView"] = buffer_.add_bytes(library_.image_bytes[i]);
+    }
+    if (!library_.textures.empty()) root["textures"] = library_.textures;
+    if (!library_.samplers.empty()) root["samplers"] = library_.samplers;
+    if (!library_.images.empty()) root["images"] = library_.images;
   }
 
   /// A node of its own; below that of the parts where there is one, as their origin is.
@@ -173,22 +189,28 @@ class GlbWriter {
   const MeshFileOptions& options_;
   const Context& context_;
   GlbBuffer buffer_;
+  MaterialLibrary library_;
   GlbMaterials materials_;
   ordered_json nodes_ = ordered_json::array(), meshes_ = ordered_json::array();
 };
 
 }  // namespace
 
+bool keeps_scene(const MeshFileOptions& options) {
+  const bool is_gltf = dynamic_cast<const GltfDocument*>(options.scene.get()) != nullptr;
+  return is_gltf && options.origin && options.objects.empty();
+}
+
 std::string format_glb(const SurfaceMesh& mesh, const MeshFileOptions& options,
                        const Context& context) {
-  const auto* document = dynamic_cast<const GltfDocument*>(options.scene.get());
-  if (document && options.origin && options.objects.empty()) {
-    return format_scene(mesh, *document, options, context);
+  if (keeps_scene(options)) {
+    const auto& document = dynamic_cast<const GltfDocument&>(*options.scene);
+    return format_scene(mesh, document, options, context);
   }
-  if (mesh.corner_normals.empty()) return GlbWriter(options, context).write(mesh);
+  if (mesh.corner_normals.empty()) return GlbWriter(mesh, options, context).write(mesh);
   SurfaceMesh unit = mesh;
   normalize_corner_normals(unit);
-  return GlbWriter(options, context).write(unit);
+  return GlbWriter(mesh, options, context).write(unit);
 }
 
 }  // namespace craze

@@ -75,9 +75,13 @@ void add_line_node(const Showing& showing, Json primitives, SceneOutput& output)
   const std::size_t number = root["nodes"].size();
   root["meshes"].push_back(std::move(lines));
   root["nodes"].push_back(std::move(shown));
-  Json& parent = root["nodes"][showing.node];
-  if (!parent.contains("children")) parent["children"] = Json::array();
-  parent["children"].push_back(number);
+  // Joints place a skinned mesh wherever its node is; it belongs at the top.
+  const std::size_t scene = root.value("scene", std::size_t{0});
+  const bool is_at_top = root["nodes"][number].contains("skin") && root.contains("scenes");
+  Json& parent = is_at_top ? root["scenes"][scene] : root["nodes"][showing.node];
+  const char* children = is_at_top ? "nodes" : "children";
+  if (!parent.contains(children)) parent[children] = Json::array();
+  parent[children].push_back(number);
   animate_as(showing.node, number, root);
 }
 

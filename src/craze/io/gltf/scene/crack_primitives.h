@@ -37,7 +37,8 @@ struct LineStyle {
 Json line_primitive(const PrimitiveSource& source, const std::vector<std::int32_t>& crack_edges,
                     const LineStyle& style, SceneOutput& output);
 
-/// A mesh of these primitives, and a node that shows it below the part's own.
+/// A mesh of these primitives, and a node that shows it below the part's own; at the top of the
+/// scene where joints place it.
 void add_line_node(const Showing& showing, Json primitives, SceneOutput& output);
 
 /// The cut mesh's vertex attributes that the document's surface had not, as `_NAME`; −1 for

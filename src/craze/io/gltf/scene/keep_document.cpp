@@ -4,6 +4,7 @@
 #include "craze/error.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/gltf/scene/gltf_document.h"
+#include "craze/io/image/picture_type.h"
 
 namespace craze {
 
@@ -14,16 +15,6 @@ constexpr std::size_t alignment = 16;
 
 void pad(std::string& bytes) {
   bytes.resize((bytes.size() + alignment - 1) / alignment * alignment, '\0');
-}
-
-/// What a picture is by its first bytes; "" if that does not tell.
-std::string picture_type(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG")) return "image/png";
-  if (bytes.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
-  if (bytes.starts_with("\xABKTX 20")) return "image/ktx2";
-  if (bytes.starts_with("RIFF") && bytes.substr(8, 4) == "WEBP") return "image/webp";
-  if (bytes.substr(4, 8) == "ftypavif") return "image/avif";
-  return "";
 }
 
 /// "clay" for "textures/clay.png".
