@@ -53,10 +53,10 @@ class ObjReader {
       } else if (keyword == "o") {
         object_ = text_.rest_of_line();
         group_.clear();
-        begin_object();
+        is_new_object_ = true;
       } else if (keyword == "g") {
         group_ = text_.rest_of_line();
-        begin_object();
+        is_new_object_ = true;
       } else if (!keyword.empty() && keyword != "s") {
         leave_out(keyword);
       }
@@ -102,6 +102,7 @@ class ObjReader {
 
   /// Corners V, V/VT, V//VN or V/VT/VN; what is behind a slash may be missing.
   void read_face() {
+    if (is_new_object_) begin_object();
     while (text_.more_on_line()) {
       SoupCorner corner;
       corner.vertex = read_vertex_index();
@@ -226,6 +227,7 @@ class ObjReader {
 
   /// Faces from here on belong to "o", "g" or "o/g", by what the file has said.
   void begin_object() {
+    is_new_object_ = false;
     const std::string name =
         object_.empty() || group_.empty() ? object_ + group_ : object_ + "/" + group_;
     if (name.empty()) {
@@ -250,6 +252,7 @@ class ObjReader {
   std::unordered_map<std::string, std::int32_t> material_indices_;
   std::int32_t material_ = -1;
   std::string object_, group_;  ///< as the last `o` and `g` said
+  bool is_new_object_ = false;  ///< no face has come since
   std::vector<std::string> object_names_;
   std::unordered_map<std::string, std::int32_t> object_indices_;
   std::int32_t object_index_ = -1;

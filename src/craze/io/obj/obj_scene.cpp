@@ -29,7 +29,8 @@ std::vector<SceneContent> ObjScene::contents() const {
   std::vector<SceneContent> all;
   if (!objects.empty()) {
     SceneContent& content = all.emplace_back(SceneContent{"objects and groups", {}});
-    for (const auto& [o, g] : objects) content.names.push_back(o.empty() ? g : o);
+    for (const auto& [o, g] : objects)
+      content.names.push_back(o.empty() || g.empty() ? o + g : o + "/" + g);
   }
   if (!libraries.empty()) all.push_back({"material libraries", libraries});
   SceneContent named{"pictures of base colours", {}};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "craze/mesh/morph_animation.h"
+
 #include <set>
 
 namespace craze {
@@ -335,6 +337,36 @@ TEST(SceneKept, TrianglesThatTheCutMeshLeavesOutStay) {
   --cut.origin.wall_begin;
   const MeshFile back = read_mesh(format_mesh(cut.mesh, "glb", cut.options(file)), "a.glb");
   EXPECT_EQ(back.mesh.triangles.size(), file.mesh.triangles.size() + 1);
+}
+
+TEST(SceneKept, GrowthIsAddedToWhatMovesAlready) {
+  const SceneFile before = truck();
+  const MeshFile file = read(before);
+  HandCut cut(file.mesh);
+  cut.cut(body);
+  cut.crack_edges.clear();
+  const std::array<std::int32_t, 3> side = cut.far_side();
+  for (const std::int32_t v : side) cut.mesh.positions[v].z() += 0.5;
+  MorphAnimation growth{2, {{}, {}}};
+  for (const std::int32_t v : std::set<std::int32_t>(side.begin(), side.end())) {
+    growth.stages[1].vertices.push_back(v);
+    growth.stages[1].shifts.emplace_back(0, 0, 0.5);
+  }
+  MeshFileOptions options = cut.options(file);
+  options.animation = &growth;
+  const SceneFile after(format_mesh(cut.mesh, "glb", options));
+  EXPECT_EQ(after.names("animations"), (std::vector<std::string>{"drive", "growth"}));
+  for (std::size_t p = 0; p < 2; ++p) {
+    const Json& targets = after.primitive(0, p)["targets"];
+    ASSERT_EQ(targets.size(), 2u) << "as many in each primitive of a mesh";
+    for (const Json& target : targets) {
+      EXPECT_TRUE(after.json["accessors"][target["POSITION"].get<std::size_t>()].contains("min"));
+    }
+  }
+  // 0.5 in a scene that is scaled by 2; vertex 1 is one of those that move.
+  const std::vector<float> back = after.floats(after.primitive(0, 0)["targets"][1]["POSITION"]);
+  EXPECT_FLOAT_EQ(back[3 * 1 + 2], -0.25f);
+  EXPECT_EQ(after.json["meshes"][0]["weights"], Json({0, 0}));
 }
 
 TEST(SceneKept, InstancesBecomeSingleWhereTheyCrack) {

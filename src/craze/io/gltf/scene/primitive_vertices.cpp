@@ -180,6 +180,9 @@ Json PrimitiveVertices::write_targets(SceneOutput& output) const {
                              ? &output.accessor((*old)[t][name].get<std::size_t>())
                              : nullptr;
       const bool is_sparse = !like || like->contains("sparse");
+      // Positions must have bounds, those of targets too.
+      const Json bounded{{"min", 0}};
+      if (!like && name == "POSITION") like = &bounded;
       target[name] = is_sparse ? output.add_sparse(elements, like)
                                : output.add(elements, SceneOutput::Use::vertices, like);
     }
