@@ -33,6 +33,7 @@ struct SurfaceMesh {
   std::vector<std::string> object_names;     ///< of glTF nodes that show meshes; OBJ's `o`, `g`
   std::vector<Attribute> vertex_attributes;  ///< any named scalar or vector of the file
   std::vector<Attribute> face_attributes;
+  double metres_per_unit = 0;              ///< of the positions; 0: the file does not say
   std::vector<std::int32_t> source_faces;  ///< #F: the file's polygon each triangle came from
 };
 

@@ -77,7 +77,7 @@ void write_frames(const RunRequest& request, const GrowthScene& scene,
                   const render::PictureOptions& options, const Context& context) {
   const bool pictures = request.frame_format == "png" || !request.video.empty();
   std::optional<Photographer> photographer;
-  if (pictures) photographer.emplace(scene, request.recipe.post, options, context);
+  if (pictures) photographer.emplace(scene, scene.result.report().recipe.post, options, context);
   std::optional<render::Video> video;
   if (!request.video.empty()) {
     video.emplace(followed(request.video).string(), options.width, options.height,

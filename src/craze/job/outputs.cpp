@@ -45,7 +45,8 @@ void write_picture(const RunRequest& request, const OpenedSurface& shown, const 
                    const Context& context) {
   const render::PictureOptions options = picture_options(request);
   SurfaceMesh drawn = shown.mesh;
-  drawn.corner_normals = picture_normals(shown, result, request.recipe.post, options.crease);
+  drawn.corner_normals =
+      picture_normals(shown, result, result.report().recipe.post, options.crease);
   const render::CrackLines lines =
       picture_lines(shown, result, render::line_reach(drawn, options), context);
   render::write_png(request.picture, render::render_picture(drawn, &lines, options, context),
@@ -92,8 +93,8 @@ std::optional<StatisticsWithSensitivity> write_outputs(
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
   context.check();
-  const OpenedSurface shown =
-      opened_surface(result, std::move(cut), std::move(times), request.recipe.post, context);
+  const OpenedSurface shown = opened_surface(result, std::move(cut), std::move(times),
+                                             result.report().recipe.post, context);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
   write_mesh_and_growth(request, scene, shown, result, report, context);

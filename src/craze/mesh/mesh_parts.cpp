@@ -50,6 +50,7 @@ ExtractedPart extract_part(const SurfaceMesh& mesh, const std::vector<std::int32
   std::sort(part.vertices.begin(), part.vertices.end());
   part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()), part.vertices.end());
   SurfaceMesh& result = part.mesh;
+  result.metres_per_unit = mesh.metres_per_unit;
   result.positions = pick(mesh.positions, part.vertices);
   result.vertex_colors = pick(mesh.vertex_colors, part.vertices);
   result.face_materials = pick(mesh.face_materials, faces);

@@ -172,6 +172,7 @@ TrianglePoint locate_in_triangle(const SurfaceMesh& surface, std::int32_t f, con
 SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& cut) {
   SurfaceMesh result;
   result.positions = cut.positions();
+  result.metres_per_unit = surface.metres_per_unit;
   result.triangles = cut.triangles();
   const CornerSources sources(surface, cut);
   const std::int32_t corners = 3 * cut.face_count();

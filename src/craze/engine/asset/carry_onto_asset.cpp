@@ -22,24 +22,24 @@ double mean_length(const CrackNetwork& network) {
   return network.edges.empty() ? 0 : sum / static_cast<double>(network.edges.size());
 }
 
-/// Gives the vertices of `cut` other numbers: vertex v becomes what vertex_of[v] was. The asset's
-/// own, which come first, keep theirs.
-void renumber(CutAsset& cut, const std::vector<std::int32_t>& vertex_of) {
+/// Numbers the vertices of `cut` as `mesh` does, which has the same faces. The asset's own, which
+/// come first, keep their place, but of the sides of a crack another one may keep the vertex.
+void number_as(const TriangleMesh& mesh, CutAsset& cut) {
   const std::size_t own = cut.positions.size() - cut.new_vertices.size();
-  std::vector<std::int32_t> number(vertex_of.size());
-  for (std::size_t v = 0; v < vertex_of.size(); ++v) {
-    number[vertex_of[v]] = static_cast<std::int32_t>(v);
+  std::vector<SurfacePoint> at(cut.positions.size());  // by root
+  for (std::size_t v = own; v < at.size(); ++v) at[cut.root[v]] = cut.new_vertices[v - own];
+  std::vector<std::int32_t> number(cut.positions.size());
+  std::iota(number.begin(), number.end(), 0);  // what has no faces keeps its number
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    for (int i = 0; i < 3; ++i) number[cut.triangles[f][i]] = mesh.triangle(f)[i];
   }
-  const CutAsset old = cut;
-  for (std::size_t v = 0; v < vertex_of.size(); ++v) {
-    cut.positions[v] = old.positions[vertex_of[v]];
-    cut.root[v] = number[old.root[vertex_of[v]]];
-    if (v >= own) cut.new_vertices[v - own] = old.new_vertices[vertex_of[v] - own];
-  }
-  for (Triangle& t : cut.triangles) {
-    for (std::int32_t& v : t) v = number[v];
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    cut.root[v] = mesh.root(v);
+    if (v >= static_cast<std::int32_t>(own)) cut.new_vertices[v - own] = at[mesh.root(v)];
   }
   for (std::int32_t& v : cut.point_vertex) v = number[v];
+  cut.positions = mesh.positions();
+  cut.triangles = mesh.triangles();
 }
 
 /// The cracks of the mesh, whose edge e lies on edge cut.edges[e].curve_edge of `simulated`.
@@ -121,12 +121,7 @@ TriangleMesh crack_mesh(CutAsset& cut) {
     const std::int32_t h = cut.edges[e].side[0] >= 0 ? cut.edges[e].side[0] : cut.edges[e].side[1];
     if (!mesh.is_open(h)) mesh.cut(h, static_cast<std::int32_t>(e));
   }
-  std::vector<std::int32_t> vertex_of(mesh.vertex_count());
-  std::iota(vertex_of.begin(), vertex_of.end(), 0);  // what has no faces keeps its number
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    for (int i = 0; i < 3; ++i) vertex_of[mesh.triangle(f)[i]] = cut.triangles[f][i];
-  }
-  renumber(cut, vertex_of);
+  number_as(mesh, cut);
   return mesh;
 }
 

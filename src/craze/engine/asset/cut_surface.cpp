@@ -75,6 +75,7 @@ std::vector<T> face_values(const std::vector<T>& old, const CutAsset& cut) {
 
 SurfaceMesh cut_surface(const SurfaceMesh& asset, const CutAsset& cut) {
   SurfaceMesh result;
+  result.metres_per_unit = asset.metres_per_unit;
   result.positions = cut.positions;
   result.triangles = cut.triangles;
   result.corner_uvs =

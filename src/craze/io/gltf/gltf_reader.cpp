@@ -83,6 +83,7 @@ SurfaceMesh read_gltf(const MeshSource& source) {
     builder.add(instances[i]);
   }
   SurfaceMesh mesh = builder.finish();
+  mesh.metres_per_unit = 1;  // section 3.4: all linear distances are in metres
   source.scene = keep_document(root, accessors, builder.take_parts(), mesh, source);
   return mesh;
 }

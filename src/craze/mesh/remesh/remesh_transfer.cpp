@@ -195,6 +195,7 @@ class Transfer {
         for (int k = 0; k < a.components; ++k) b.values.push_back(a.values[f * a.components + k]);
       }
     }
+    made_.metres_per_unit = s.metres_per_unit;
     made_.material_names = s.material_names;
     made_.object_names = s.object_names;
     for (std::int32_t f : face_) {

@@ -32,6 +32,7 @@ std::vector<T> gather(const std::vector<T>& old, const std::vector<std::int32_t>
 SurfaceMesh transfer(const SurfaceMesh& old, std::vector<Triangle> triangles,
                      const SurfaceSource& source) {
   SurfaceMesh made;
+  made.metres_per_unit = old.metres_per_unit;
   made.triangles = std::move(triangles);
   made.positions = gather(old.positions, source.vertices,
                           [](const Vec3& a, const Vec3& b) -> Vec3 { return 0.5 * (a + b); });

@@ -11,7 +11,8 @@ namespace craze {
 
 namespace {
 
-/// Splits the longest edges first, so that triangles stay as round as they were.
+/// Splits the longest edges first, so that triangles stay as round as they were. The two sides of a
+/// crack are as long as each other, so they are split alike.
 class Bender {
  public:
   Bender(TriangleMesh mesh, std::vector<double> crack_distance, double length)
@@ -36,7 +37,7 @@ class Bender {
   }
 
   void offer(std::int32_t h) {
-    if (mesh_.crack_of(h) >= 0 || mesh_.opposite(h) > h) return;  // each edge once
+    if (mesh_.opposite(h) > h) return;  // each edge once
     const double length = edge_length(h);
     if (length <= longest_) return;
     if (std::min(distance_[mesh_.from(h)], distance_[mesh_.to(h)]) > reach_) return;

@@ -40,6 +40,7 @@ void add_materials(SurfaceMesh& result, const SurfaceMesh& cut_surface, const Op
 SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh& cut,
                               const OpenedMesh& opened, bool keep_normals) {
   SurfaceMesh result;
+  result.metres_per_unit = cut_surface.metres_per_unit;
   result.positions = opened.mesh.positions;
   result.triangles = opened.mesh.triangles;
   const std::size_t faces = opened.beside.size();
