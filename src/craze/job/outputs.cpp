@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "craze/engine/cracked_surface.h"
+#include "craze/io/files/extension.h"
 #include "craze/io/lines/write_lines.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/growth_frames.h"
@@ -18,6 +19,7 @@
 #include "craze/products/statistics/graph/graph_input.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
+#include "craze/render/smooth_normals.h"
 #include "craze/write_mesh.h"
 
 namespace craze {
@@ -53,6 +55,19 @@ void write_picture(const RunRequest& request, const OpenedSurface& shown, const 
                     context);
 }
 
+/// Viewers shade a GLB without normals flat. A surface that came without is shaded as in pictures,
+/// edges sharper than the crease hard.
+std::vector<Vec3> shading_normals(const RunRequest& request, const OpenedSurface& shown,
+                                  const Result& result) {
+  const double crease = request.shot.crease;
+  std::vector<Vec3> normals = picture_normals(shown, result, result.report().recipe.post, crease);
+  if (!normals.empty()) return normals;
+  for (const render::Vec3f& n : render::smooth_normals(shown.mesh, crease)) {
+    normals.push_back(n.cast<double>());
+  }
+  return normals;
+}
+
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
 void write_mesh_and_growth(const RunRequest& request,
                            const std::shared_ptr<const SourceScene>& scene,
@@ -77,7 +92,13 @@ void write_mesh_and_growth(const RunRequest& request,
       options.crack_edges = crack_edges(result, shown);
     }
     options.warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
-    write_mesh(request.output, shown.mesh, options, context);
+    if (lower_extension(request.output) == ".glb" && shown.mesh.corner_normals.empty()) {
+      SurfaceMesh shaded = shown.mesh;
+      shaded.corner_normals = shading_normals(request, shown, result);
+      write_mesh(request.output, shaded, options, context);
+    } else {
+      write_mesh(request.output, shown.mesh, options, context);
+    }
   }
   if (frames) {
     write_frames(request, {result, shown, *growth}, picture_options(request), context);

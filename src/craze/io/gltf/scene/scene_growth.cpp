@@ -71,6 +71,7 @@ void SceneGrowth::end(SceneOutput& output) {
     primitive["targets"] = Json(stages, target);
   }
   mesh["weights"] = Json(stages, 0);
+  if (mesh.contains("extras") && !mesh["extras"].is_object()) return;  // they may be anything
   for (std::size_t k = 0; k < stages; ++k) {
     mesh["extras"]["targetNames"].push_back("before_" + std::to_string(k + 1));
   }
