@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,9 @@ namespace craze {
 /// not.
 using FileLoader = std::function<std::string(const std::string& uri)>;
 
+/// What a file holds besides its surface, kept for write_mesh (write_mesh.h). Immutable.
+class SourceScene;
+
 /// What a file held.
 struct MeshFile {
   SurfaceMesh mesh;
@@ -26,6 +30,7 @@ struct MeshFile {
   /// One per material of the mesh; one for all faces of a mesh without; none where the file says
   /// nothing.
   std::vector<MaterialLook> looks;
+  std::shared_ptr<const SourceScene> scene;  ///< null where there is nothing else
 };
 
 /// Reads a file's bytes: .obj, .ply, .stl, .off, .gltf or .glb, by what they are where that can be

@@ -1,8 +1,10 @@
 // A mesh to bytes, or to a file, of any format the project writes.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,12 +16,14 @@
 
 namespace craze {
 
+class SourceScene;      // read_mesh.h
 struct MorphAnimation;  // mesh/morph_animation.h
+struct SurfaceOrigin;   // mesh/surface_origin.h
 
 /// What not every format can hold.
 struct MeshFileOptions {
   /// A face attribute, one object NAME_VALUE per value: OBJ, GLB and USDA; empty: one object.
-  std::string objects;
+  std::string objects = {};
   /// GLB and USDA; null: nothing moves.
   const MorphAnimation* animation = nullptr;
   /// USDA: how materials look, one per material of the mesh, and of texture files the paths that
@@ -27,8 +31,18 @@ struct MeshFileOptions {
   const std::vector<MaterialLook>* looks = nullptr;
   UpAxis up = UpAxis::automatic;  ///< USDA, which knows y and z; y where automatic
   double metres_per_unit = 0;     ///< USDA, of a mesh that does not say; 0: 1
+  /// What the mesh was read with, to be written with it; null: the mesh alone.
+  std::shared_ptr<const SourceScene> scene = {};
+  /// How the mesh lies in the surface of `scene`; null: it is another surface, of the same
+  /// materials.
+  const SurfaceOrigin* origin = nullptr;
+  /// GLB: edges to be drawn as lines, halfedges 3f+i from corner i to corner i+1 of face f.
+  std::vector<std::int32_t> crack_edges = {};
+  /// OBJ: the names after `mtllib`; empty: without. write_mesh() finds those of an OBJ file's
+  /// scene.
+  std::string material_library = {};
   /// Told, in one sentence each, what the format cannot hold; may be empty.
-  std::function<void(const std::string&)> warn;
+  std::function<void(const std::string&)> warn = {};
 };
 
 /// The bytes of a file of that format: "ply", "obj", "stl", "glb" or "usda". PLY keeps everything

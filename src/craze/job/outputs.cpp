@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "craze/engine/cracked_surface.h"
+#include "craze/io/files/extension.h"
 #include "craze/io/lines/write_lines.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/growth_frames.h"
@@ -13,10 +14,13 @@
 #include "craze/products/cut_surface.h"
 #include "craze/products/field_mesh.h"
 #include "craze/products/growth/growth.h"
+#include "craze/products/opening/crack_edges.h"
+#include "craze/products/opening/opened_origin.h"
 #include "craze/products/statistics/graph/graph_input.h"
 #include "craze/recipe/own_lengths.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
+#include "craze/render/smooth_normals.h"
 #include "craze/write_mesh.h"
 
 namespace craze {
@@ -54,9 +58,22 @@ void write_picture(const RunRequest& request, render::PictureOptions options,
                     context);
 }
 
+/// Viewers shade a GLB without normals flat. A surface that came without is shaded as in pictures,
+/// edges sharper than the crease hard.
+std::vector<Vec3> shading_normals(const RunRequest& request, const OpenedSurface& shown,
+                                  const Result& result) {
+  const double crease = request.shot.crease;
+  std::vector<Vec3> normals = picture_normals(shown, result, result.report().recipe.post, crease);
+  if (!normals.empty()) return normals;
+  for (const render::Vec3f& n : render::smooth_normals(shown.mesh, crease)) {
+    normals.push_back(n.cast<double>());
+  }
+  return normals;
+}
+
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
 void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown,
-                           const Result& result, const std::vector<MaterialLook>& looks,
+                           const Result& result, const BesideSurface& beside,
                            const render::PictureOptions& picture, Report& report,
                            const Context& context) {
   const bool frames = !request.frames.empty() || !request.video.empty();
@@ -69,14 +86,27 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
       animation = growth->animation(request.animation_stages, request.clip_seconds, context);
     }
     MeshFileOptions options;
-    const std::vector<MaterialLook> seen = looks_from(looks, request.input, request.output);
+    const std::vector<MaterialLook> seen =
+        looks_from(beside.looks.of_file, request.input, request.output);
     if (!seen.empty()) options.looks = &seen;
     options.up = picture.view.up;
     options.metres_per_unit = metres_per_unit(shown.mesh, result.report().recipe);
     if (request.split_fragments) options.objects = "fragment";
     if (request.animate) options.animation = &animation;
+    const SurfaceOrigin origin = opened_origin(result, shown);
+    options.scene = beside.scene;
+    if (!origin.face.empty()) options.origin = &origin;
+    if (shown.shut && request.recipe.post.lines != ShutCracks::none) {
+      options.crack_edges = crack_edges(result, shown);
+    }
     options.warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
-    write_mesh(request.output, shown.mesh, options, context);
+    if (lower_extension(request.output) == ".glb" && shown.mesh.corner_normals.empty()) {
+      SurfaceMesh shaded = shown.mesh;
+      shaded.corner_normals = shading_normals(request, shown, result);
+      write_mesh(request.output, shaded, options, context);
+    } else {
+      write_mesh(request.output, shown.mesh, options, context);
+    }
   }
   if (frames) {
     write_frames(request, {result, shown, *growth}, picture, context);
@@ -87,9 +117,9 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
 
 std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request,
                                                        const Result& result,
-                                                       const MaterialLooks& looks, Report& report,
+                                                       const BesideSurface& beside, Report& report,
                                                        const Context& context) {
-  const render::PictureOptions picture = picture_options(request, looks.shown);
+  const render::PictureOptions picture = picture_options(request, beside.looks.shown);
   GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
@@ -98,7 +128,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
                                              result.report().recipe.post, context);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
-  write_mesh_and_growth(request, shown, result, looks.of_file, picture, report, context);
+  write_mesh_and_growth(request, shown, result, beside, picture, report, context);
   context.check();
   const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
   if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), warn, context);

@@ -35,7 +35,7 @@ class Stopwatch {
 struct Loaded {
   Input input;
   std::vector<std::string> warnings;
-  MaterialLooks looks;
+  BesideSurface beside;
 };
 
 bool takes_pictures(const RunRequest& request) {
@@ -48,10 +48,12 @@ Loaded load(const RunRequest& request, const Context& context) {
   Input& input = loaded.input;
   MeshFile file = load_surface(request.input, context);
   loaded.warnings = std::move(file.warnings);
+  MaterialLooks& looks = loaded.beside.looks;
   if (takes_pictures(request) && !request.plain) {
-    loaded.looks.shown = material_looks(file.looks, request.input, loaded.warnings, context);
+    looks.shown = material_looks(file.looks, request.input, loaded.warnings, context);
   }
-  loaded.looks.of_file = std::move(file.looks);
+  looks.of_file = std::move(file.looks);
+  loaded.beside.scene = std::move(file.scene);
   input.name = request.input;
   input.surface = std::make_shared<const SurfaceMesh>(std::move(file.mesh));
   const SimulationParameters& p = request.recipe.simulation;
@@ -96,7 +98,7 @@ RunResult run(const RunRequest& request, const Context& context) {
 
   const Context writing = for_writing(context, report, stopped);
   writing.report({"write"});
-  const auto statistics = write_outputs(request, result, loaded.looks, report, writing);
+  const auto statistics = write_outputs(request, result, loaded.beside, report, writing);
   writing.check();
   report.time.write = phase.lap();
   report.time.total = total.lap();
