@@ -7,6 +7,7 @@
 #include "craze/presets.h"
 #include "error_line.h"
 #include "interrupt.h"
+#include "map_options.h"
 #include "run_options.h"
 
 namespace craze::app {
@@ -69,6 +70,10 @@ void add_outputs(CLI::App& verb, RunRequest& request) {
   verb.add_option("--report", request.report, "What was done, as JSON; -: to standard output")
       ->type_name("FILE")
       ->group(group);
+  verb.add_option("--maps", request.maps.folder,
+                  "Textures of the cracks for the mesh's own UVs, into this folder")
+      ->type_name("DIR")
+      ->group(group);
   verb.add_option("--fields", request.fields, "Stress, forces and curvatures at the end: .ply")
       ->type_name("FILE")
       ->group(group);
@@ -119,6 +124,7 @@ void add_crack(CLI::App& app, Action& action) {
       ->type_name("");
   add_outputs(*verb, options->request);
   add_growth(*verb, options->request);
+  add_map_options(*verb, options->request.maps, "Maps (--maps)");
   verb->add_option("--material", options->material,
                    "What the picture shows: clay, mud, glaze, plaster, glass or paint")
       ->type_name("NAME")
@@ -151,6 +157,7 @@ void add_crack(CLI::App& app, Action& action) {
       "--animate\n"
       "  craze crack shape:cup --video grow.mp4 --frame-count 96\n"
       "  craze crack vase.obj -o pieces.glb --fragments\n"
+      "  craze crack vase.obj --maps vase_maps --map normal --map occlusion --map-size 2048\n"
       "Ctrl-C stops, writes what was asked for and exits with 130 (SIGTERM: 143); a second one "
       "kills.");
   verb->callback([options, &action] { action = [options] { return crack(*options); }; });

@@ -29,7 +29,8 @@ const std::map<std::string, std::string> door_of = {
     {"repair", "mesh"},       {"shapes", "mesh"},      {"surface_mesh", "mesh"},
     {"up_axis", "mesh"},      {"parameters", "model"}, {"presets", "recipe"},
     {"recipe", "recipe"},     {"engine", "engine"},    {"report", "engine"},
-    {"products", "products"}, {"read_mesh", "io"},     {"write_mesh", "io"},
+    {"products", "products"}, {"maps", "products"},    {"read_mesh", "io"},
+    {"write_mesh", "io"},
     {"craze", "bindings"},
 };
 

@@ -90,6 +90,13 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   context.check();
   if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), context);
   context.check();
+  if (!request.maps.folder.empty()) {
+    MapsRequest maps = request.maps;
+    maps.options.post = request.recipe.post;
+    const std::vector<std::string> warnings = write_maps(result, maps, context);
+    report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
+  }
+  context.check();
   if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context), {}, context);
   context.check();
   if (!request.picture.empty()) write_picture(request, shown, result, context);

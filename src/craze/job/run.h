@@ -6,6 +6,7 @@
 #include <string>
 
 #include "craze/context.h"
+#include "craze/job/write_maps.h"
 #include "craze/recipe.h"
 #include "craze/render/picture.h"
 #include "craze/report.h"
@@ -32,6 +33,7 @@ struct RunRequest {
   bool split_fragments = false;      ///< `output`, .obj or .glb, has an object per fragment
   /// How pictures are taken. Material and upward axis are the recipe's.
   render::PictureOptions shot;
+  MapsRequest maps;    ///< maps of the cracks; gap and wall are the recipe's
   std::string fields;  ///< stress, forces and curvatures at the end: .ply
   std::string report;  ///< .json, or "-": only in the result
 };
