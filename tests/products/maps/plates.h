@@ -33,13 +33,15 @@ inline MapSurface plate_with(int n, std::vector<MapCrack> cracks) {
   }
   for (std::size_t f = 0; f < s.triangles.size(); ++f) {
     for (const std::int32_t v : s.triangles[f]) s.corner_uvs.push_back(s.positions[v].head<2>());
-    maps.pieces.push_back({static_cast<std::int32_t>(f),
-                           0,
-                           {s.corner_uvs[3 * f], s.corner_uvs[3 * f + 1], s.corner_uvs[3 * f + 2]}});
+    maps.pieces.push_back(
+        {static_cast<std::int32_t>(f),
+         0,
+         {s.corner_uvs[3 * f], s.corner_uvs[3 * f + 1], s.corner_uvs[3 * f + 2]}});
   }
   for (MapCrack& crack : cracks) {
     const Vec3 p = crack.a * n;
-    const int i = std::min(n - 1, static_cast<int>(p.x())), j = std::min(n - 1, static_cast<int>(p.y()));
+    const int i = std::min(n - 1, static_cast<int>(p.x())),
+              j = std::min(n - 1, static_cast<int>(p.y()));
     crack.face = 2 * (j * n + i) + (p.y() - j > p.x() - i ? 1 : 0);
   }
   maps.cracks = std::move(cracks);
@@ -58,7 +60,8 @@ inline MapCrack crack_from(double ax, double ay, double bx, double by, double wi
 /// A T-junction, a bend, a tip that tapers off, and a crack alone.
 inline std::vector<MapCrack> known_cracks() {
   return {crack_from(0, 0.31, 0.55, 0.42, 0.05, 0.05), crack_from(0.55, 0.42, 1, 0.38, 0.05, 0.04),
-          crack_from(0.55, 0.42, 0.47, 0.83, 0.03, 0), crack_from(0.71, 0.62, 0.93, 0.91, 0.02, 0.02)};
+          crack_from(0.55, 0.42, 0.47, 0.83, 0.03, 0),
+          crack_from(0.71, 0.62, 0.93, 0.91, 0.02, 0.02)};
 }
 
 inline MapOptions options_of(int size, std::vector<MapKind> kinds) {

@@ -35,6 +35,7 @@ class Band {
         texels_(static_cast<std::size_t>(size_) * (band_rows + 2)),
         grooves_(texels_.size()) {
     for (const MapHeader& header : headers) {
+      by_heights_ |= header.kind == MapKind::normal || header.kind == MapKind::curvature;
       values_.emplace_back(static_cast<std::size_t>(size_) * band_rows *
                            map_info(header.kind).channels);
     }
@@ -181,7 +182,7 @@ class Band {
       const Mat2 sides = texel_sides(texel.face);
       const Vec3 weights = scene_.faces.weights(texel.face, texel.p);
       const MapFrame frame = scene_.faces.frame(texel.face, weights);
-      const Heights heights = heights_around(texel, r, x, sides);
+      const Heights heights = by_heights_ ? heights_around(texel, r, x, sides) : Heights{};
       for (std::size_t m = 0; m < headers_.size(); ++m) {
         const MapHeader& header = headers_[m];
         float* const out = values_[m].data() + index(row, x) * map_info(header.kind).channels;
@@ -234,6 +235,7 @@ class Band {
   const MapSheet& sheet_;
   const std::vector<MapHeader>& headers_;
   int size_, first_ = 0;
+  bool by_heights_ = false;  // whether a map needs differences
   TexelOwners owners_;
   std::vector<Texel> texels_;        // of the band and its margin
   std::vector<GrooveMean> grooves_;  // likewise

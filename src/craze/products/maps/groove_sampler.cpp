@@ -11,8 +11,11 @@ namespace craze {
 
 namespace {
 
-constexpr double hairline = 0.0021;    // of the box's diagonal: render/picture.cpp
-constexpr int parts = 4;               // of a texel along each side
+constexpr double hairline = 0.0021;  // of the box's diagonal: render/picture.cpp
+constexpr int parts = 2;             // of a texel along each side
+/// Of what is asked for outside a face, over the mean length of the cracks' pieces: where texels
+/// are so large that a map cannot show the cracks, faces need not see them all.
+constexpr double most_outside = 3;
 constexpr std::size_t most_near = 32;  // lines that one texel is looked at for
 
 }  // namespace
@@ -39,8 +42,13 @@ GrooveSampler::GrooveSampler(const MapSurface& maps, const MapFaces& faces,
                              const Context& context)
     : sizes_(sizes) {
   SightLimits limits;
+  double total = 0;
+  for (const MapCrack& crack : maps.cracks) total += (crack.b - crack.a).norm();
+  const double most =
+      maps.cracks.empty() ? 0 : most_outside * total / static_cast<double>(maps.cracks.size());
   for (std::size_t f = 0; f < maps.surface.triangles.size(); ++f) {
-    limits.margin.push_back(outside * faces.texel(static_cast<std::int32_t>(f), size));
+    const double asked = outside * faces.texel(static_cast<std::int32_t>(f), size);
+    limits.margin.push_back(std::min(asked, most));
   }
   for (const auto& [a, b] : sizes.half_width) limits.reach.push_back(std::max(a, b));
   SeenCracks seen = seen_cracks(maps, limits, context);
@@ -61,15 +69,26 @@ GrooveSampler::Foot GrooveSampler::foot(const Line& line, const Vec2& p) {
           line.half_width_a + t * (line.half_width_b - line.half_width_a), away};
 }
 
+double GrooveSampler::squared_distance(const Line& line, const Vec2& p) {
+  const Vec2 from_a = p - line.a;
+  const double t = std::clamp(from_a.dot(line.along) * line.inverse_squared_length, 0.0, 1.0);
+  return (from_a - t * line.along).squaredNorm();
+}
+
 NearestCrack GrooveSampler::nearest(std::int32_t face, const Vec2& p) const {
   NearestCrack nearest{std::numeric_limits<double>::infinity(), -1, 0, Vec2::Zero()};
+  double least = nearest.distance;
+  const Line* line = nullptr;
   for (std::int32_t i = first_[face]; i < first_[face + 1]; ++i) {
-    const Foot there = foot(lines_[i], p);
-    const bool tie = there.distance == nearest.distance && lines_[i].crack < nearest.crack;
-    if (there.distance < nearest.distance || tie) {
-      nearest = {there.distance, lines_[i].crack, there.along, lines_[i].along};
+    const double squared = squared_distance(lines_[i], p);
+    if (squared < least || (squared == least && line && lines_[i].crack < line->crack)) {
+      least = squared;
+      line = &lines_[i];
     }
   }
+  if (!line) return nearest;
+  const Foot there = foot(*line, p);
+  nearest = {there.distance, line->crack, there.along, line->along};
   return nearest;
 }
 
@@ -81,7 +100,9 @@ GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& tex
     const Line& line = lines_[i];
     // The half width changes along the line, the more so where a tip tapers off.
     const double widest = std::max(line.half_width_a, line.half_width_b);
-    if (widest > 0 && foot(line, p).distance < widest + size) near[count++] = &line;
+    if (widest > 0 && squared_distance(line, p) < (widest + size) * (widest + size)) {
+      near[count++] = &line;
+    }
   }
   GrooveMean sum;
   if (count == 0) return sum;

@@ -44,9 +44,10 @@ class GrooveSampler {
   GrooveSampler(const MapSurface& maps, const MapFaces& faces, const GrooveSizes& sizes, int size,
                 double outside, const Context& context);
 
+  /// The crack next to p, the first of them where several are.
   NearestCrack nearest(std::int32_t face, const Vec2& p) const;
   /// Over the texel around p whose sides are the columns of `texel`, length. Exact for a straight
-  /// groove; at corners, tips and junctions 4 × 4 parts of the texel are.
+  /// groove; at corners, tips and junctions 2 × 2 parts of the texel are.
   GrooveMean mean(std::int32_t face, const Vec2& p, const Mat2& texel) const;
   /// No point of the surface is farther from a crack; ∞ where a part of it has none.
   double farthest() const { return farthest_; }
@@ -62,6 +63,7 @@ class GrooveSampler {
     Vec2 away;  ///< from there to the point
   };
   static Foot foot(const Line& line, const Vec2& p);
+  static double squared_distance(const Line& line, const Vec2& p);
 
   const GrooveSizes& sizes_;
   std::vector<std::int32_t> first_;  // #F + 1, offsets into lines_

@@ -16,13 +16,18 @@ namespace {
 
 constexpr std::int64_t visits_between_polls = 1 << 14;
 
-/// A crack on its way into a face, in the plane of that face.
+/// A crack on its way into a face.
 struct Arrival {
   double distance;  ///< at least this far from any point of the face
   std::int32_t face;
-  std::int32_t entry;  ///< halfedge of `face` it came in by; −1 at its own
+  std::int32_t slot;  ///< what arrives, in the pool
   std::int64_t number;
+};
+
+/// In the plane of the face.
+struct Traveller {
   SeenCrack seen;
+  std::int32_t entry;  ///< halfedge of the face it came in by; −1 at its own
 };
 
 struct Later {
@@ -53,7 +58,7 @@ class Spread {
 
   void start(const MapCrack& crack, std::int32_t index) {
     const FacePlane& plane = planes_[crack.face];
-    queue_.push({0, crack.face, -1, sent_++, {plane.flat(crack.a), plane.flat(crack.b), index}});
+    send(0, crack.face, {{plane.flat(crack.a), plane.flat(crack.b), index}, -1});
   }
 
   void run(const Context& context) {
@@ -64,8 +69,11 @@ class Spread {
       }
       const Arrival arrival = queue_.top();
       queue_.pop();
-      if (matters(arrival.face, arrival.distance, arrival.seen.crack) && is_new(arrival)) {
-        accept(arrival);
+      const Traveller traveller = pool_[arrival.slot];
+      free_.push_back(arrival.slot);
+      const std::int32_t crack = traveller.seen.crack;
+      if (matters(arrival.face, arrival.distance, crack) && is_new(arrival.face, crack)) {
+        accept(arrival.distance, arrival.face, traveller);
       }
     }
   }
@@ -95,35 +103,47 @@ class Spread {
            distance - margin <= limits_.reach[crack];
   }
 
-  bool is_new(const Arrival& arrival) const {
-    for (std::int32_t i = last_[arrival.face]; i >= 0; i = accepted_[i].previous) {
-      if (accepted_[i].seen.crack == arrival.seen.crack) return false;
+  bool is_new(std::int32_t face, std::int32_t crack) const {
+    for (std::int32_t i = last_[face]; i >= 0; i = accepted_[i].previous) {
+      if (accepted_[i].seen.crack == crack) return false;
     }
     return true;
   }
 
-  void accept(const Arrival& arrival) {
-    const std::int32_t f = arrival.face;
-    accepted_.push_back({arrival.seen, f, last_[f]});
+  void send(double distance, std::int32_t face, const Traveller& traveller) {
+    auto slot = static_cast<std::int32_t>(pool_.size());
+    if (free_.empty()) {
+      pool_.push_back(traveller);
+    } else {
+      slot = free_.back();
+      free_.pop_back();
+      pool_[slot] = traveller;
+    }
+    queue_.push({distance, face, slot, sent_++});
+  }
+
+  void accept(double distance, std::int32_t f, const Traveller& traveller) {
+    accepted_.push_back({traveller.seen, f, last_[f]});
     last_[f] = static_cast<std::int32_t>(accepted_.size()) - 1;
     // The distance to a segment is convex, so over the face it is largest at a corner.
     double largest = 0;
     for (const Vec2& corner : planes_[f].corners) {
-      largest = std::max(largest, distance_to(corner, arrival.seen));
+      largest = std::max(largest, distance_to(corner, traveller.seen));
     }
     covered_[f] = std::min(covered_[f], largest);
     for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-      if (h != arrival.entry && !mesh_.is_open(h)) pass_on(arrival, h);
+      if (h != traveller.entry && !mesh_.is_open(h)) pass_on(distance, traveller.seen, h);
     }
   }
 
-  void pass_on(const Arrival& arrival, std::int32_t h) {
-    const std::int32_t f = arrival.face, o = mesh_.opposite(h), g = TriangleMesh::face_of(o);
+  void pass_on(double least, const SeenCrack& seen, std::int32_t h) {
+    const std::int32_t f = TriangleMesh::face_of(h), o = mesh_.opposite(h);
+    const std::int32_t g = TriangleMesh::face_of(o);
+    if (!matters(g, least, seen.crack) || !is_new(g, seen.crack)) return;
     const Vec2 &from = planes_[f].corners[h % 3], &to = planes_[f].corners[(h + 1) % 3];
     const double distance = std::max(
-        arrival.distance, coplanar_segment_distance(lifted(arrival.seen.a), lifted(arrival.seen.b),
-                                                    lifted(from), lifted(to)));
-    if (!matters(g, distance, arrival.seen.crack)) return;
+        least, coplanar_segment_distance(lifted(seen.a), lifted(seen.b), lifted(from), lifted(to)));
+    if (!matters(g, distance, seen.crack)) return;
     // The rotation that takes the edge in the plane of f to the same edge in that of g.
     const Vec2 &origin = planes_[g].corners[(o % 3 + 1) % 3], &end = planes_[g].corners[o % 3];
     const Vec2 u = (to - from).stableNormalized(), w = (end - origin).stableNormalized();
@@ -132,16 +152,14 @@ class Spread {
       const Vec2 d = p - from;
       return origin + Vec2(c * d.x() - s * d.y(), s * d.x() + c * d.y());
     };
-    queue_.push({distance,
-                 g,
-                 o,
-                 sent_++,
-                 {turn(arrival.seen.a), turn(arrival.seen.b), arrival.seen.crack}});
+    send(distance, g, {{turn(seen.a), turn(seen.b), seen.crack}, o});
   }
 
   TriangleMesh mesh_;
   const SightLimits& limits_;
   std::vector<FacePlane> planes_;
+  std::vector<Traveller> pool_;     // of what is on its way
+  std::vector<std::int32_t> free_;  // slots of the pool
   std::int64_t sent_ = 0;
   std::vector<Accepted> accepted_;
   std::vector<double> covered_;
