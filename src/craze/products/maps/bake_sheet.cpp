@@ -12,8 +12,7 @@ namespace {
 
 constexpr int band_rows = 128;
 constexpr std::size_t rows_at_once = 4;
-/// Beyond this many texels outside a piece the surface is not followed any further.
-constexpr double followed = 2;
+static_assert(band_rows % 16 == 0);
 
 struct Texel {
   std::int32_t face = -1;  ///< −1: the picture is empty
@@ -84,7 +83,7 @@ class Band {
       texel.face = scene_.maps.pieces[placed.piece].face;
       Vec2 away(x - owner.x, y - owner.y);
       const double distance = std::sqrt(away.squaredNorm());
-      if (distance > followed) away *= followed / distance;
+      if (distance > texels_followed) away *= texels_followed / distance;
       const Vec2 at = Vec2(owner.x + 0.5, owner.y + 0.5) + away;
       const Vec2 uv(at.x() / size_ + placed.offset.x(), 1 - at.y() / size_ + placed.offset.y());
       texel.p = scene_.faces.at(texel.face, uv);
@@ -98,7 +97,8 @@ class Band {
     const int y = first_ + r + dy - 1;
     if (x + dx >= 0 && x + dx < size_ && y >= 0 && y < size_) {
       const std::size_t i = index(r + dy, x + dx);
-      if (scene_.islands[texels_[i].face] == scene_.islands[texel.face]) return grooves_[i].height;
+      if (scene_.islands.of_face[texels_[i].face] == scene_.islands.of_face[texel.face])
+        return grooves_[i].height;
     }
     return scene_.grooves.mean(texel.face, texel.p + sides * Vec2(dx, dy), sides).height;
   }

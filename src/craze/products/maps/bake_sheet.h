@@ -13,17 +13,13 @@
 
 namespace craze {
 
-/// Texels that a point is asked for outside its face, at most: two for what follows across a seam,
-/// one for differences, and its own corners.
-inline constexpr double texels_outside = 4;
-
 /// Everything that the sheets of a surface share.
 struct BakeScene {
   const MapSurface& maps;
   const MapFaces& faces;
   const GrooveSizes& sizes;
   const GrooveSampler& grooves;
-  const std::vector<std::int32_t>& islands;   ///< #F
+  const UvIslands& islands;
   const std::vector<double>& base_curvature;  ///< #V, mean; empty: not asked for
   const MapOptions& options;
 };

@@ -119,8 +119,8 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
   const UvLayout layout = uv_layout(maps, context);
   const MapFaces faces(maps.surface);
   const GrooveSizes sizes = groove_sizes(maps, options.post);
-  const GrooveSampler grooves(maps, faces, sizes, options.size, texels_outside, context);
-  const std::vector<std::int32_t> islands = uv_islands(maps.surface);
+  const UvIslands islands = uv_islands(maps.surface);
+  const GrooveSampler grooves(maps, faces, islands, sizes, options.size, context);
   std::vector<double> curvature;
   if (asks_for(options, MapKind::curvature)) curvature = mean_curvature(maps.surface, context);
   const Ranges ranges(maps, sizes, grooves.farthest(), curvature);

@@ -45,6 +45,53 @@ Vec3 in_plane(const Vec3& v, const Vec3& n) {
 /// What corners must share to share their tangent, as numbers to sort by.
 using Place = std::array<double, 9>;
 
+/// The number of each corner's place.
+std::vector<std::int32_t> numbered(const std::vector<Place>& place) {
+  std::vector<std::int32_t> order(place.size()), number(place.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::int32_t x, std::int32_t y) { return place[x] < place[y]; });
+  for (std::size_t i = 0, n = 0; i < order.size(); ++i) {
+    if (i > 0 && place[order[i]] != place[order[i - 1]]) ++n;
+    number[order[i]] = static_cast<std::int32_t>(n);
+  }
+  return number;
+}
+
+/// The first corner of those that hang together with each one by edges of equal ends.
+std::vector<std::int32_t> corner_groups(const std::vector<Place>& place) {
+  const std::vector<std::int32_t> number = numbered(place);
+  std::vector<std::int32_t> first(place.size());
+  std::iota(first.begin(), first.end(), 0);
+  const auto root = [&](std::int32_t c) {
+    while (first[c] != c) c = first[c] = first[first[c]];
+    return c;
+  };
+  const auto join = [&](std::int32_t c, std::int32_t d) {
+    const std::int32_t a = root(c), b = root(d);
+    first[std::max(a, b)] = std::min(a, b);
+  };
+  struct Edge {
+    std::array<std::int32_t, 2> ends, corners;  // by number, the smaller first
+  };
+  std::vector<Edge> edges;
+  for (std::size_t c = 0; c < place.size(); ++c) {
+    const auto from = static_cast<std::int32_t>(c);
+    const std::int32_t to = from % 3 == 2 ? from - 2 : from + 1;
+    edges.push_back(number[from] < number[to] ? Edge{{number[from], number[to]}, {from, to}}
+                                              : Edge{{number[to], number[from]}, {to, from}});
+  }
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const Edge& e, const Edge& f) { return e.ends < f.ends; });
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (edges[i].ends != edges[i - 1].ends) continue;
+    join(edges[i].corners[0], edges[i - 1].corners[0]);
+    join(edges[i].corners[1], edges[i - 1].corners[1]);
+  }
+  for (std::size_t c = 0; c < first.size(); ++c) first[c] = root(static_cast<std::int32_t>(c));
+  return first;
+}
+
 }  // namespace
 
 std::vector<Vec3> corner_normals(const SurfaceMesh& surface) {
@@ -94,20 +141,12 @@ CornerTangents corner_tangents(const SurfaceMesh& surface, const std::vector<Vec
       result.tangent[c] = angle_between(in_plane(a, n), in_plane(b, n)) * in_plane(u, n);
     }
   }
-  std::vector<std::int32_t> order(3 * faces);
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::int32_t x, std::int32_t y) { return place[x] < place[y]; });
-  for (std::size_t i = 0; i < order.size();) {
-    std::size_t j = i;
-    Vec3 sum = Vec3::Zero();
-    while (j < order.size() && place[order[j]] == place[order[i]]) {
-      sum += result.tangent[order[j++]];
-    }
-    const Vec3& n = normals[order[i]];
-    Vec3 tangent = in_plane(sum, n);
-    if (tangent.isZero()) tangent = n.unitOrthogonal();
-    for (; i < j; ++i) result.tangent[order[i]] = tangent;
+  const std::vector<std::int32_t> group = corner_groups(place);
+  std::vector<Vec3> sum(3 * faces, Vec3::Zero());
+  for (std::size_t c = 0; c < group.size(); ++c) sum[group[c]] += result.tangent[c];
+  for (std::size_t c = 0; c < group.size(); ++c) {
+    result.tangent[c] = in_plane(sum[group[c]], normals[c]);
+    if (result.tangent[c].isZero()) result.tangent[c] = normals[c].unitOrthogonal();
   }
   return result;
 }

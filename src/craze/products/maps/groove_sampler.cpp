@@ -13,9 +13,11 @@ namespace {
 
 constexpr double hairline = 0.0021;  // of the box's diagonal: render/picture.cpp
 constexpr int parts = 2;             // of a texel along each side
-/// Of what is asked for outside a face, over the mean length of the cracks' pieces: where texels
-/// are so large that a map cannot show the cracks, faces need not see them all.
-constexpr double most_outside = 3;
+/// Texels around a face, and around one at the border of an island, that it is asked for.
+constexpr double inside_margin = 1, border_margin = texels_followed + 2;
+/// The same at most, over the mean length of the cracks' pieces: where texels are so large that a
+/// map cannot show the cracks, faces need not see them all.
+constexpr double most_inside = 0.5, most_at_border = 2;
 constexpr std::size_t most_near = 32;  // lines that one texel is looked at for
 
 }  // namespace
@@ -38,17 +40,18 @@ GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post) {
 }
 
 GrooveSampler::GrooveSampler(const MapSurface& maps, const MapFaces& faces,
-                             const GrooveSizes& sizes, int size, double outside,
+                             const UvIslands& islands, const GrooveSizes& sizes, int size,
                              const Context& context)
     : sizes_(sizes) {
-  SightLimits limits;
   double total = 0;
   for (const MapCrack& crack : maps.cracks) total += (crack.b - crack.a).norm();
-  const double most =
-      maps.cracks.empty() ? 0 : most_outside * total / static_cast<double>(maps.cracks.size());
+  const double mean = maps.cracks.empty() ? 0 : total / static_cast<double>(maps.cracks.size());
+  SightLimits limits;
   for (std::size_t f = 0; f < maps.surface.triangles.size(); ++f) {
-    const double asked = outside * faces.texel(static_cast<std::int32_t>(f), size);
-    limits.margin.push_back(std::min(asked, most));
+    const double texel = faces.texel(static_cast<std::int32_t>(f), size);
+    limits.margin.push_back(islands.at_border[f]
+                                ? std::min(border_margin * texel, most_at_border * mean)
+                                : std::min(inside_margin * texel, most_inside * mean));
   }
   for (const auto& [a, b] : sizes.half_width) limits.reach.push_back(std::max(a, b));
   SeenCracks seen = seen_cracks(maps, limits, context);

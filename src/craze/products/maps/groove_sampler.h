@@ -7,6 +7,7 @@
 #include "craze/context.h"
 #include "craze/products/maps/map_faces.h"
 #include "craze/products/maps/map_surface.h"
+#include "craze/products/maps/uv_layout.h"
 #include "craze/recipe.h"
 
 namespace craze {
@@ -37,12 +38,16 @@ struct GrooveMean {
   double mask = 0, height = 0, light = 1;
 };
 
+/// Beyond this many texels outside an island the surface is not followed any further.
+inline constexpr double texels_followed = 2;
+
 class GrooveSampler {
  public:
-  /// `size`: of the maps in texels, which points up to `outside` texels off their face are asked
-  /// for. References must outlive this. Throws Cancelled.
-  GrooveSampler(const MapSurface& maps, const MapFaces& faces, const GrooveSizes& sizes, int size,
-                double outside, const Context& context);
+  /// For texels of maps of that size: means around points of a face, and at the border of an island
+  /// around those up to texels_followed + 1 outside. References must outlive this. Throws
+  /// Cancelled.
+  GrooveSampler(const MapSurface& maps, const MapFaces& faces, const UvIslands& islands,
+                const GrooveSizes& sizes, int size, const Context& context);
 
   /// The crack next to p, the first of them where several are.
   NearestCrack nearest(std::int32_t face, const Vec2& p) const;

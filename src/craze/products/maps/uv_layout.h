@@ -33,7 +33,12 @@ struct UvLayout {
 /// 0 … 1 otherwise repeat. Warns where UVs overlap within a set.
 UvLayout uv_layout(const MapSurface& maps, const Context& context);
 
-/// #F: faces that hang together by edges whose UVs agree have one number.
-std::vector<std::int32_t> uv_islands(const SurfaceMesh& surface);
+/// Faces that hang together by edges whose UVs agree.
+struct UvIslands {
+  std::vector<std::int32_t> of_face;    ///< #F
+  std::vector<std::uint8_t> at_border;  ///< #F, 1: a corner is on the border of an island
+};
+
+UvIslands uv_islands(const SurfaceMesh& surface);
 
 }  // namespace craze
