@@ -16,10 +16,12 @@ namespace {
 struct Options {
   std::string input;
   MapsRequest maps;
+  double wall = 0;
   RunOptions run;
 };
 
 int bake(Options& options) {
+  options.maps.options.post.wall = options.wall;
   check_output_folder("the maps", options.maps.folder);
   const Run run(options.run);
   const Context& context = run.context();
@@ -48,7 +50,7 @@ void add_bake(CLI::App& app, Action& action) {
       ->type_name("X")
       ->check(not_negative())
       ->group("Maps");
-  verb->add_option("--wall", options->maps.options.post.wall,
+  verb->add_option("--wall", options->wall,
                    "Depth of the grooves, model units, as post.wall; 0: as deep as wide")
       ->type_name("LENGTH")
       ->check(not_negative())

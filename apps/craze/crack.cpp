@@ -152,6 +152,7 @@ void add_crack(CLI::App& app, Action& action) {
       "Examples:\n"
       "  craze crack cup.obj -o cracked.glb --preset glaze\n"
       "  craze crack shape:plate?n=99 -o mud.ply --preset mud --lines mud.svg --report mud.json\n"
+      "  craze crack vase.glb -o cracked.glb --set layer.spacing=4mm --set where.materials=glaze*\n"
       "  craze crack scan.ply -o scan_cracked.ply --set stress.attribute=paint --seed 7\n"
       "  craze crack shape:plate -o grow.glb --preset mud --set post.gap=0.08 --set post.wall=0.02 "
       "--animate\n"

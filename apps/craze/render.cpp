@@ -9,6 +9,7 @@
 #include "craze/job/run.h"
 #include "craze/render/mesh_picture.h"
 #include "craze/render/png.h"
+#include "error_line.h"
 #include "run_options.h"
 
 namespace craze::app {
@@ -39,6 +40,7 @@ int render_mesh(Options& options) {
   const Run run(options.run);
   const Context& context = run.context();
   const MeshFile file = load_surface(options.input, context);
+  for (const std::string& warning : file.warnings) print_warning(options.run.style, warning);
   render::write_png(options.output, mesh_picture(file.mesh, options.picture, context), context);
   return done;
 }

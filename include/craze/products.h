@@ -14,6 +14,8 @@
 
 namespace craze {
 
+struct SurfaceOrigin;
+
 /// The cut mesh, shut, with everything known of it. Attributes of these names that the surface
 /// already has are replaced.
 /// Per vertex: crack_distance, length along the surface to the nearest crack, the diagonal of the
@@ -33,6 +35,9 @@ class Opening {
   /// The vertices and faces of cut_mesh() come first, in its order, then those of side walls, whose
   /// material is "crack_wall".
   const SurfaceMesh& mesh() const;
+  /// Where in the input each face of mesh() lies (mesh/surface_origin.h), as mesh.output = "asset"
+  /// keeps it; else empty.
+  SurfaceOrigin origin() const;
   /// What could not be done as asked, a sentence each.
   const std::vector<std::string>& warnings() const;
 

@@ -80,8 +80,8 @@ TEST_F(OutputPlaces, TwoFilesAreTwo) {
 TEST_F(OutputPlaces, AnOutputMayReplaceTheInputUnderAnyName) {
   ASSERT_EQ(crack({"-o", "a.ply"}).code, 0);
   fs::create_symlink("a.ply", file("b.ply"));
-  const CommandResult result =
-      run({"crack", "../run/a.ply", "-o", "b.ply", "--max-cracks", "0", "--set", "mesh.edge=0.05"});
+  const CommandResult result = run({"crack", "../run/a.ply", "-o", "b.ply", "--max-cracks", "0",
+                                    "--set", "mesh.edge=0.05", "--set", "mesh.output=simulation"});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_TRUE(fs::is_symlink(file("b.ply")));
   EXPECT_GT(read_mesh_file(file("a.ply")).mesh.triangles.size(), 200u);

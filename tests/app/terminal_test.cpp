@@ -88,9 +88,9 @@ class Terminal : public CommandTest {
       "--set", "evolution.shrinkage=0.05",    "--max-cracks", "20"};
   // Cracks for a minute.
   const Arguments long_run{
-      "crack", "shape:plate?n=40&jitter=0.3",    "--set", "engine=euler",
-      "--set", "material.toughness=0.01",        "--set", "layer.screening_length=0.1",
-      "--set", "evolution.relaxation_steps=2000"};
+      "crack", "shape:plate?n=40&jitter=0.3",     "--set", "engine=euler",
+      "--set", "material.toughness=0.01",         "--set", "layer.screening_length=0.1",
+      "--set", "evolution.relaxation_steps=2000", "--set", "mesh.output=simulation"};
 };
 
 TEST_F(Terminal, ProgressIsOneLineThatIsUpdatedAndGoneInTheEnd) {

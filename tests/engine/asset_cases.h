@@ -107,8 +107,10 @@ inline SurfaceMesh dressed(SurfaceMesh mesh) {
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     part.values.push_back(static_cast<double>(f));
     mesh.face_materials.push_back(static_cast<std::int32_t>(f % 3));
+    mesh.face_objects.push_back(static_cast<std::int32_t>(f % 2));
   }
   mesh.material_names = {"a", "b", "c"};
+  mesh.object_names = {"cup", "saucer"};
   mesh.vertex_attributes = {std::move(weight)};
   mesh.face_attributes = {std::move(part)};
   return mesh;
@@ -144,6 +146,12 @@ struct RandomCurves {
   int length = 8;  ///< edges per chain
   int stride = 3;  ///< faces from one point to the next, at most
 };
+
+/// Vertices at one position are one place.
+inline CutAsset cut(const SurfaceMesh& asset, const CrackCurves& curves,
+                    const CutOptions& options) {
+  return cut_asset(asset, AssetTopology(asset.positions, asset.triangles), curves, options);
+}
 
 /// Chains of points from face to neighbouring face, some of which start on a point of another one.
 inline CrackCurves random_curves(const SurfaceMesh& asset, Random& random,

@@ -91,9 +91,7 @@ TEST_P(CarriedRing, PartsTheAssetAndEachSideKeepsItsOwnDisplacement) {
   test::check_cut(asset, made.cut);
   test::check_chains(made.curves, made.cut, 1.0001, 1e-6);
   EXPECT_EQ(made.cut.report.traced.lost, 0);
-  std::vector<std::int32_t> vertex_of;
-  const TriangleMesh mesh = crack_mesh(made.cut, vertex_of);
-  EXPECT_EQ(find_components(mesh).count, 2);
+  EXPECT_EQ(find_components(made.mesh).count, 2);
   ASSERT_EQ(made.displacement.size(), made.cut.positions.size());
   for (const Triangle& t : made.cut.triangles) {
     double height = 0;
@@ -137,7 +135,8 @@ TEST(CarriedCracks, StayOnTheirSideOfAThinWall) {
   for (const double x : {-0.2, 0.0, 0.2}) {  // nearer to the other side
     network.nodes.push_back({Vec3(x, -4e-4, 0.1), Vec3::UnitY(), 0, JunctionKind::bend, 0});
   }
-  const CrackCurves curves = crack_curves(network, wall, {top});
+  const CrackCurves curves =
+      crack_curves(network, wall, AssetTopology(wall.positions, wall.triangles), {top});
   for (const SurfacePoint& p : curves.points) {
     EXPECT_GT(test::area_vector(wall.positions, wall.triangles[p.face]).y(), 0);
   }
@@ -150,19 +149,23 @@ TEST(ACrackMesh, PartsTheSameVertices) {
       SCOPED_TRACE(name + " seed " + std::to_string(seed));
       const SurfaceMesh asset = make_shape(name);
       Random random(seed);
-      const CutAsset cut = cut_asset(asset, test::random_curves(asset, random, {}), {});
-      std::vector<std::int32_t> vertex_of;
-      const TriangleMesh mesh = crack_mesh(cut, vertex_of);
+      CutAsset cut = test::cut(asset, test::random_curves(asset, random, {}), {});
+      const CutAsset before = cut;
+      const TriangleMesh mesh = crack_mesh(cut);
       const auto faults = validate(mesh);
       ASSERT_TRUE(faults.empty()) << faults.front();
       ASSERT_EQ(mesh.positions().size(), cut.positions.size());
-      EXPECT_EQ(std::set<std::int32_t>(vertex_of.begin(), vertex_of.end()).size(),
-                vertex_of.size());
-      for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+      ASSERT_EQ(mesh.triangles(), cut.triangles);
+      std::vector<std::int32_t> number(before.positions.size(), -1);
+      for (std::size_t f = 0; f < cut.triangles.size(); ++f) {
         for (int i = 0; i < 3; ++i) {
-          ASSERT_EQ(vertex_of[mesh.triangle(f)[i]], cut.triangles[f][i]);
+          const std::int32_t v = cut.triangles[f][i], was = before.triangles[f][i];
+          ASSERT_TRUE(number[was] == -1 || number[was] == v) << "parted otherwise";
+          number[was] = v;
+          ASSERT_EQ(mesh.position(v), before.positions[was]);
         }
       }
+      for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) ASSERT_EQ(mesh.root(v), cut.root[v]);
       for (const CutEdge& e : cut.edges) {
         for (const std::int32_t h : e.side) {
           ASSERT_TRUE(h < 0 || mesh.is_open(h));

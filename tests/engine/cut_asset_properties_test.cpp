@@ -43,7 +43,7 @@ void cut_and_check(const Case& c, std::uint64_t seed, const test::RandomCurves& 
   Random random(seed);
   const SurfaceMesh asset = test::dressed(c.asset);
   const CrackCurves curves = test::random_curves(asset, random, kind);
-  const CutAsset cut = cut_asset(asset, curves, {snap});
+  const CutAsset cut = test::cut(asset, curves, {snap});
   test::check_cut(asset, cut);
   test::check_attributes(asset, cut);
   EXPECT_EQ(cut.report.lost_segments, 0);

@@ -28,7 +28,7 @@ TEST(ACut, AlongEdgesSplitsNoFace) {
   CrackCurves curves;
   for (const double x : {-0.25, 0.0, 0.25}) curves.points.push_back(corner_at(asset, {x, 0, 0}));
   curves.edges = {{0, 1}, {1, 2}};
-  const CutAsset cut = cut_asset(asset, curves, {});
+  const CutAsset cut = test::cut(asset, curves, {});
   test::check_cut(asset, cut);
   EXPECT_EQ(cut.report.split_faces, 0);
   EXPECT_EQ(cut.triangles.size(), asset.triangles.size());
@@ -39,7 +39,7 @@ TEST(ACut, AlongEdgesSplitsNoFace) {
 TEST(ACut, LeavesFacesWithoutCurvesBitForBit) {
   const SurfaceMesh asset = test::dressed(make_shape("sphere?n=8"));
   const CrackCurves curves{{{100, Vec3(.2, .3, .5)}, {103, Vec3(.5, .3, .2)}}, {{0, 1}}};
-  const CutAsset cut = cut_asset(asset, curves, {});
+  const CutAsset cut = test::cut(asset, curves, {});
   test::check_cut(asset, cut);
   EXPECT_GT(cut.report.split_faces, 0);
   EXPECT_LT(cut.report.split_faces, 20);
@@ -54,7 +54,7 @@ TEST(ACut, LeavesFacesWithoutCurvesBitForBit) {
 TEST(ACut, OfOneSegmentInsideAFaceIsASlitWithTwoTips) {
   const SurfaceMesh asset = make_shape("plate?n=1");
   const CrackCurves curves{{{0, Vec3(.6, .2, .2)}, {0, Vec3(.3, .4, .3)}}, {{0, 1}}};
-  const CutAsset cut = cut_asset(asset, curves, {});
+  const CutAsset cut = test::cut(asset, curves, {});
   test::check_cut(asset, cut);
   EXPECT_EQ(cut.edges.size(), 2u);  // a vertex between the tips, or it could not open
   EXPECT_EQ(cut.positions.size(), asset.positions.size() + 4);
@@ -64,7 +64,7 @@ TEST(ACut, LeftSidesLieLeftOfTheirCurve) {
   const SurfaceMesh asset = make_shape("plate?n=6&jitter=0.3");
   Random random(4);
   const CrackCurves curves = test::random_curves(asset, random, {});
-  const CutAsset cut = cut_asset(asset, curves, {});
+  const CutAsset cut = test::cut(asset, curves, {});
   ASSERT_FALSE(cut.edges.empty());
   for (const CutEdge& e : cut.edges) {
     const auto& [p, q] = curves.edges[e.curve_edge];
@@ -81,7 +81,7 @@ TEST(ACut, LeftSidesLieLeftOfTheirCurve) {
 
 TEST(ACut, MakesAVertexOfAPointWithoutEdges) {
   const SurfaceMesh asset = make_shape("cube?n=1");
-  const CutAsset cut = cut_asset(asset, {{{3, Vec3(.2, .3, .5)}}, {}}, {});
+  const CutAsset cut = test::cut(asset, {{{3, Vec3(.2, .3, .5)}}, {}}, {});
   test::check_cut(asset, cut);
   EXPECT_EQ(cut.triangles.size(), asset.triangles.size() + 2);
   EXPECT_EQ(cut.point_vertex[0], static_cast<std::int32_t>(asset.positions.size()));
@@ -96,7 +96,7 @@ TEST(ACut, GivesUpAndCountsWhatWouldCrossAGap) {
     asset.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
   const CrackCurves curves{{{0, Vec3(.4, .3, .3)}, {3, Vec3(.4, .3, .3)}}, {{0, 1}}};
-  const CutAsset cut = cut_asset(asset, curves, {});
+  const CutAsset cut = test::cut(asset, curves, {});
   test::check_cut(asset, cut);
   EXPECT_GT(cut.report.traced.lost, 0);
   EXPECT_GE(cut.report.traced.lost_length, 0.5);
@@ -106,7 +106,7 @@ TEST(ACut, IsTheSameEveryTime) {
   const SurfaceMesh asset = make_shape("bumps?n=5");
   Random random(9);
   const CrackCurves curves = test::random_curves(asset, random, {});
-  const CutAsset a = cut_asset(asset, curves, {0.01}), b = cut_asset(asset, curves, {0.01});
+  const CutAsset a = test::cut(asset, curves, {0.01}), b = test::cut(asset, curves, {0.01});
   EXPECT_EQ(a.triangles, b.triangles);
   ASSERT_EQ(a.positions.size(), b.positions.size());
   EXPECT_TRUE(test::same_bits(a.positions.data(), b.positions.data(), a.positions.size()));
@@ -114,8 +114,8 @@ TEST(ACut, IsTheSameEveryTime) {
 
 TEST(ACut, RefusesPointsAndEdgesThatNameNothing) {
   const SurfaceMesh asset = make_shape("plate?n=1");
-  EXPECT_THROW(cut_asset(asset, {{{7, Vec3(1, 0, 0)}}, {}}, {}), Error);
-  EXPECT_THROW(cut_asset(asset, {{{0, Vec3(1, 0, 0)}}, {{0, 1}}}, {}), Error);
+  EXPECT_THROW(test::cut(asset, {{{7, Vec3(1, 0, 0)}}, {}}, {}), Error);
+  EXPECT_THROW(test::cut(asset, {{{0, Vec3(1, 0, 0)}}, {{0, 1}}}, {}), Error);
 }
 
 TEST(ACut, GrowsTheMeshLinearlyInTheLengthOfItsCurves) {
@@ -134,7 +134,7 @@ TEST(ACut, GrowsTheMeshLinearlyInTheLengthOfItsCurves) {
       curves.edges.push_back({last - 2, last - 1});
       curves.edges.push_back({last - 1, last});
     }
-    const CutAsset cut = cut_asset(asset, curves, {});
+    const CutAsset cut = test::cut(asset, curves, {});
     per_edge.push_back(double(cut.triangles.size() - asset.triangles.size()) /
                        double(cut.edges.size()));
   }

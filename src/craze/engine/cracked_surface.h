@@ -2,21 +2,39 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
-#include "craze/engine/simulation_surface.h"
+#include "craze/engine/asset/carry_onto_asset.h"
 #include "craze/mesh/components.h"
+#include "craze/mesh/surface_origin.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/simulation.h"
 #include "craze/recipe.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 
+/// Products speak of one mesh: that of the simulation, or the asset that its cracks were carried
+/// onto.
 struct CrackedSurface {
-  Recipe recipe;                                 ///< as it was run: lengths resolved
-  SurfaceMesh surface;                           ///< the simulation's mesh before its first crack
-  std::unique_ptr<const Simulation> simulation;  ///< stopped: the cut mesh, its stress, its times
-  CrackNetwork network;                          ///< the cracks of that mesh
-  Components fragments;                          ///< the parts of that mesh
+  Recipe recipe;        ///< as it was run: lengths resolved
+  SurfaceMesh surface;  ///< what mesh() was cut out of: the simulation's mesh, or the asset
+  /// Per face of `surface`, where in the input it lies; empty where it was remeshed.
+  SurfaceOrigin surface_origin;
+  std::unique_ptr<const Simulation> simulation;  ///< stopped: its cut mesh, its stress, its times
+  std::unique_ptr<const CrackedAsset> asset;     ///< null: mesh() is the simulation's
+  CrackNetwork network;                          ///< the cracks of mesh()
+  Components fragments;                          ///< the parts of mesh()
+
+  const TriangleMesh& mesh() const { return asset ? asset->mesh : simulation->mesh(); }
+  /// #V of mesh(): the accumulated virtual displacement at the load that was reached, length.
+  std::vector<Vec3> displacements() const;
+  /// When each crack of mesh() opened, by its label (TriangleMesh::crack_of).
+  std::vector<double> crack_times() const;
+  /// mesh() with all that `uncut` has, whose faces are those of `surface`.
+  SurfaceMesh with_attributes(const SurfaceMesh& uncut) const;
+  /// Per face of mesh(), where in the input it lies; empty where `surface` was remeshed.
+  SurfaceOrigin origin() const;
 };
 
 }  // namespace craze

@@ -1,11 +1,21 @@
 #include "craze/engine.h"
 
-#include <chrono>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+
+#include "craze/engine/check_where.h"
 #include "craze/engine/cracked_surface.h"
+#include "craze/engine/place_impacts.h"
 #include "craze/engine/spacing_rounds.h"
 #include "craze/error.h"
-#include "craze/repair.h"
+#include "craze/mesh/repair/traced_repair.h"
+#include "craze/model/screening.h"
+#include "craze/recipe/check_recipe.h"
+#include "craze/recipe/length_text.h"
+#include "craze/recipe/own_lengths.h"
 
 namespace craze {
 
@@ -15,13 +25,19 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-SurfaceMesh repaired(const Input& input, Report& report, const Context& context) {
-  SurfaceMesh surface = repair(*input.surface, {}, report.repair, context);
-  if (surface.triangles.empty()) {
+TracedSurface repaired(const Input& input, Report& report, const Context& context) {
+  TracedSurface traced = traced_repair(*input.surface, {}, report.repair, context);
+  if (traced.surface.triangles.empty()) {
     throw Error(ErrorKind::input, "nothing to crack", input.name,
                 "the mesh has no triangle with area");
   }
-  return surface;
+  return traced;
+}
+
+void warn_of_unused_unit(Report& report, const SurfaceMesh& surface) {
+  const double given = metres(report.recipe.mesh.unit);
+  if (given == 0 || surface.metres_per_unit == 0 || given == surface.metres_per_unit) return;
+  report.warnings.push_back("the file says its own unit, which stands (mesh.unit)");
 }
 
 double total_length(const CrackNetwork& network) {
@@ -30,6 +46,60 @@ double total_length(const CrackNetwork& network) {
     length += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
   }
   return length;
+}
+
+/// post.gap for which cracks open by post.gap_width on average over their length.
+void resolve_gap(PostParameters& post, const CrackNetwork& network) {
+  if (!(post.gap_width > 0)) return;
+  double length = 0, opening = 0;  // of Eq. 9 with γ = 1, times the length
+  for (const CrackEdge& e : network.edges) {
+    const double of_edge = (network.nodes[e.b].position - network.nodes[e.a].position).norm();
+    length += of_edge;
+    opening += of_edge * e.width;
+  }
+  if (opening > 0) post.gap = post.gap_width * (length / opening);
+  post.gap_width = 0;
+}
+
+CarriedCounts count_carried(const CutAsset& cut, std::size_t triangles_before) {
+  CarriedCounts counts;
+  counts.split_triangles = cut.report.split_faces;
+  counts.added_triangles = std::ssize(cut.triangles) - static_cast<std::int64_t>(triangles_before);
+  counts.halved_pieces = cut.report.traced.halved;
+  counts.lost_pieces = cut.report.traced.lost + cut.report.lost_segments;
+  counts.lost_length = cut.report.traced.lost_length;
+  return counts;
+}
+
+/// Puts the cracks of a finished run into the mesh that products speak of.
+void settle(CrackedSurface& state, SimulationSurface surface, Report& report,
+            const Context& context) {
+  const auto start = std::chrono::steady_clock::now();
+  const Simulation& simulation = *state.simulation;
+  state.network = crack_network(simulation);
+  state.fragments = find_components(simulation.mesh());
+  if (surface.asset.triangles.empty()) {
+    state.surface = std::move(surface.mesh);
+    return;
+  }
+  context.report({"carry", 0, simulation.events(), count_mesh(surface.asset).triangles});
+  const std::vector<Vec3> displacement = state.displacements();
+  auto carried = std::make_unique<CrackedAsset>(carry_onto_asset(
+      surface.asset,
+      {simulation.mesh(), state.network, displacement, state.fragments.face, surface.asset_face},
+      -1));
+  state.network = std::move(carried->network);
+  state.asset = std::move(carried);
+  state.surface = std::move(surface.asset);
+  state.fragments = find_components(state.mesh());
+  report.carried = count_carried(state.asset->cut, state.surface.triangles.size());
+  report.time.carry = seconds_since(start);
+}
+
+void warn_of_empty_mask(Report& report, const std::vector<double>& mask) {
+  if (mask.empty()) return;
+  if (std::any_of(mask.begin(), mask.end(), [](double m) { return m > 0; })) return;
+  report.warnings.push_back("nothing can crack (where): it leaves no triangle of the surface");
 }
 
 void add_warnings(Report& report, const LastCycle& last, const Simulation& simulation) {
@@ -44,7 +114,15 @@ void add_warnings(Report& report, const LastCycle& last, const Simulation& simul
         "equilibrium was not always reached (evolution.residual): double precision ends before it; "
         "cracks may open a little too early or late");
   }
-  if (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load) {
+  if (report.carried.lost_pieces > 0) {
+    report.warnings.push_back(fmt::format(
+        "{} pieces of crack, {:.2g} of {:.3g} long, found no way over the input's triangles "
+        "(mesh.output): gaps or folds lie between their ends",
+        report.carried.lost_pieces, report.carried.lost_length,
+        report.carried.lost_length + report.cracks.length));
+  }
+  const bool whole = !report.recipe.simulation.where.is_given();
+  if (whole && (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load)) {
     if (const auto warning = spacing_warning(report.recipe.simulation.layer, simulation.mesh(),
                                              report.cracks.fragments)) {
       report.warnings.push_back(*warning);
@@ -61,30 +139,46 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   report.recipe = recipe;
   if (options.max_cracks) report.recipe.simulation.evolution.max_cracks = *options.max_cracks;
   report.threads = context.threads.count();
+  check_recipe(recipe);
+  const double unit = metres_per_unit(*input.surface, recipe);
+  check_units(recipe, unit);
+  warn_of_unused_unit(report, *input.surface);
+  for (std::string& warning : check_where(*input.surface, recipe.simulation.where)) {
+    report.warnings.push_back(std::move(warning));
+  }
   report.input = count_mesh(*input.surface);
   context.report({"repair", 0, 0, report.input.triangles});
-  SurfaceMesh surface = repaired(input, report, context);
+  TracedSurface traced = repaired(input, report, context);
   input.surface.reset();
+  report.recipe =
+      with_own_lengths(report.recipe, {bounding_diagonal(traced.surface.positions), unit});
+  SimulationParameters& parameters = report.recipe.simulation;
+  parameters.impacts = place_impacts(std::move(parameters.impacts), traced.surface, context);
   report.time.load = seconds_since(start);
-  context.report({"prepare", -1, 0, count_mesh(surface).triangles});
+  context.report({"prepare", -1, 0, count_mesh(traced.surface).triangles});
   context.check();
 
-  SpacedRun run = options.max_cracks == 0
-                      ? uncracked(std::move(surface), report.recipe, input.textures, context)
-                      : run_to_spacing(std::move(surface), report.recipe, input.textures, context);
+  SpacedRun run =
+      options.max_cracks == 0
+          ? uncracked(std::move(traced.surface), report.recipe, input.textures, context)
+          : run_to_spacing(std::move(traced.surface), report.recipe, input.textures, context);
   if (run.last.reason == StopReason::cancelled && options.on_cancel == OnCancel::discard) {
     throw Cancelled();
   }
   auto state = std::make_shared<CrackedSurface>();
   state->recipe = std::move(run.recipe);
-  state->surface = std::move(run.surface.mesh);
-  state->network = crack_network(*run.last.simulation);
-  state->fragments = find_components(run.last.simulation->mesh());
+  state->simulation = std::move(run.last.simulation);
+  report.simulation = count_mesh(run.surface.mesh);
+  warn_of_empty_mask(report, run.surface.mask);
+  settle(*state, std::move(run.surface), report, context);
+  resolve_gap(state->recipe.post, state->network);
+  if (state->recipe.mesh.output == OutputMesh::asset) {
+    state->surface_origin = std::move(traced.origin);
+  }
 
-  const Simulation& simulation = *run.last.simulation;
+  const Simulation& simulation = *state->simulation;
   report.recipe = state->recipe;
-  report.simulation = count_mesh(state->surface);
-  report.output = {simulation.mesh().vertex_count(), simulation.mesh().face_count()};
+  report.output = {state->mesh().vertex_count(), state->mesh().face_count()};
   report.cracks = {simulation.events(), simulation.segments(), total_length(state->network),
                    state->fragments.count};
   report.stop_reason = to_string(run.last.reason);
@@ -94,7 +188,6 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   report.time.relax = run.last.times.relax;
   report.time.separation = run.last.times.separation;
   report.time.crack = run.last.times.crack;
-  state->simulation = std::move(run.last.simulation);
   report.time.total = seconds_since(start);
   return {std::move(state), std::move(report)};
 }

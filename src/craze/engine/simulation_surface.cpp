@@ -1,5 +1,7 @@
 #include "craze/engine/simulation_surface.h"
 
+#include <utility>
+
 #include "craze/engine/check_scale.h"
 #include "craze/mesh/remesh/remesh.h"
 #include "craze/model/sources/input_fields.h"
@@ -52,20 +54,35 @@ SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
   options.coarsen = recipe.mesh.edge.kind == EdgeLength::Kind::given;
   options.seed = recipe.simulation.seed;
   check_scale(repaired, recipe, options.target_edge, physical_memory());
-  if (options.target_edge == 0) return {std::move(repaired), {}};
+  if (options.target_edge == 0) return {std::move(repaired), {}, {}, {}, {}};
 
   const MaterialParameters& material = recipe.simulation.material;
-  if (material.attribute.empty() && recipe.simulation.layer.attribute.empty()) {
-    return {remesh(repaired, options, context), {}};
+  const bool may_forbid = !material.attribute.empty() || !recipe.simulation.layer.attribute.empty();
+  if (may_forbid) {
+    // Remeshing carries an attribute of the faces; taken off again, it is no part of the mesh.
+    const TriangleMesh topology(repaired.positions, repaired.triangles);
+    const auto zero =
+        faces_with_zero_attribute(topology, recipe.simulation, input_fields(repaired));
+    repaired.face_attributes.push_back(
+        {"forbidden", 1, std::vector<double>(zero.begin(), zero.end())});
   }
-  // Remeshing carries an attribute of the faces; taken off again, it is no part of the mesh.
-  const TriangleMesh topology(repaired.positions, repaired.triangles);
-  const auto zero = faces_with_zero_attribute(topology, recipe.simulation, input_fields(repaired));
-  repaired.face_attributes.push_back(
-      {"forbidden", 1, std::vector<double>(zero.begin(), zero.end())});
-  SimulationSurface surface{remesh(repaired, options, context), {}};
-  surface.forbidden = touching_faces(surface.mesh, surface.mesh.face_attributes.back().values);
-  surface.mesh.face_attributes.pop_back();
+  // Without source_faces of its own the surface is numbered by its faces.
+  const std::vector<std::int32_t> source_faces = std::exchange(repaired.source_faces, {});
+  SimulationSurface surface;
+  surface.mesh = remesh(repaired, options, context);
+  surface.asset_face = surface.mesh.source_faces;
+  if (!source_faces.empty()) {
+    for (std::int32_t& f : surface.mesh.source_faces) f = source_faces[f];
+  }
+  if (may_forbid) {
+    surface.forbidden = touching_faces(surface.mesh, surface.mesh.face_attributes.back().values);
+    surface.mesh.face_attributes.pop_back();
+    repaired.face_attributes.pop_back();
+  }
+  if (recipe.mesh.output == OutputMesh::asset) {
+    surface.asset = std::move(repaired);
+    surface.asset.source_faces = source_faces;
+  }
   return surface;
 }
 

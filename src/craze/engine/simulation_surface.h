@@ -16,6 +16,12 @@ struct SimulationSurface {
   /// #F, 1 where a multiplier of the recipe is zero at the input's triangle or one of its corners;
   /// empty: nowhere. A finer mesh mixes what the corners hold, but not this.
   std::vector<std::uint8_t> forbidden;
+  /// The repaired input, where the mesh is another one and mesh.output asks for the input's
+  /// triangles; else empty.
+  SurfaceMesh asset;
+  /// #F: a face of the asset that lies near each, on its side of any wall.
+  std::vector<std::int32_t> asset_face;
+  std::vector<double> mask;  ///< #F, how freely each face cracks (crack_mask.h); empty: all do
 };
 
 /// Mean length of the triangles' edges, those between two triangles counted twice; there must be a

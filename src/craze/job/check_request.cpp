@@ -12,6 +12,7 @@
 #include "craze/job/output_folder.h"
 #include "craze/job/output_place.h"
 #include "craze/job/run.h"
+#include "craze/recipe/check_recipe.h"
 #include "craze/render/material.h"
 #include "craze/render/video.h"
 #include "craze/write_mesh.h"
@@ -111,7 +112,8 @@ void check_growth(const RunRequest& request) {
           "give the file: -o FILE.glb");
   }
   if (any) check_mesh_file(request.output, request.split_fragments, request.animate);
-  if (request.animate && request.recipe.post.gap == 0) {
+  if (request.animate && request.recipe.post.gap == 0 &&
+      request.recipe.post.gap_width.number() == 0) {
     wrong("nothing would move", "--animate",
           "the cracks stay shut; open them, for example with --set post.gap=0.05");
   }
@@ -135,6 +137,7 @@ void check_picture_path(const std::string& path) {
 }
 
 void check_request(const RunRequest& request) {
+  check_recipe(request.recipe);
   const bool report_file = !request.report.empty() && request.report != "-";
   const std::string none;
   const std::vector<Output> outputs{

@@ -1,7 +1,6 @@
 #include "craze/job/crack_picture.h"
 
 #include "craze/engine/cracked_surface.h"
-#include "craze/mesh/transfer_attributes.h"
 #include "craze/render/smooth_normals.h"
 
 namespace craze {
@@ -16,8 +15,7 @@ std::vector<Vec3> picture_normals(const OpenedSurface& shown, const Result& resu
   for (const render::Vec3f& n : render::smooth_normals(smooth, crease)) {
     smooth.corner_normals.push_back(n.cast<double>());
   }
-  std::vector<Vec3> normals =
-      transfer_attributes(smooth, result.state().simulation->mesh()).corner_normals;
+  std::vector<Vec3> normals = result.state().with_attributes(smooth).corner_normals;
   for (std::size_t f = normals.size() / 3; f < shown.mesh.triangles.size(); ++f) {
     const Triangle& t = shown.mesh.triangles[f];
     const Vec3& p = shown.mesh.positions[t[0]];
@@ -29,7 +27,7 @@ std::vector<Vec3> picture_normals(const OpenedSurface& shown, const Result& resu
 
 render::CrackLines picture_lines(const OpenedSurface& shown, const Result& result, double reach,
                                  const Context& context) {
-  const TriangleMesh& mesh = result.state().simulation->mesh();
+  const TriangleMesh& mesh = shown.base(result);
   render::CrackLines lines = render::crack_lines(mesh, crack_sides(mesh), reach, context);
   if (shown.shut) return lines;
   lines.open = true;

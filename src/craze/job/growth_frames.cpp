@@ -39,7 +39,8 @@ class Photographer {
   }
 
   render::Image picture(double time, const Context& context) {
-    render::set_widths(lines_, scene_.times.sites.sides, scene_.growth.side_openness_at(time));
+    render::set_widths(lines_, scene_.shown.times.sites.sides,
+                       scene_.growth.side_openness_at(time));
     mesh_.positions = scene_.growth.positions_at(time);
     return render::render_picture(mesh_, &lines_, options_, context);
   }
@@ -76,7 +77,7 @@ void write_frames(const RunRequest& request, const GrowthScene& scene,
                   const render::PictureOptions& options, const Context& context) {
   const bool pictures = request.frame_format == "png" || !request.video.empty();
   std::optional<Photographer> photographer;
-  if (pictures) photographer.emplace(scene, request.recipe.post, options, context);
+  if (pictures) photographer.emplace(scene, scene.result.report().recipe.post, options, context);
   std::optional<render::Video> video;
   if (!request.video.empty()) {
     video.emplace(followed(request.video).string(), options.width, options.height,

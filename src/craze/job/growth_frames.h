@@ -12,7 +12,6 @@ namespace craze {
 /// What the frames show.
 struct GrowthScene {
   const Result& result;
-  const GrowthTimes& times;
   const OpenedSurface& shown;
   const Growth& growth;
 };

@@ -43,7 +43,8 @@ void write_picture(const RunRequest& request, const OpenedSurface& shown, const 
                    const Context& context) {
   const render::PictureOptions options = picture_options(request);
   SurfaceMesh drawn = shown.mesh;
-  drawn.corner_normals = picture_normals(shown, result, request.recipe.post, options.crease);
+  drawn.corner_normals =
+      picture_normals(shown, result, result.report().recipe.post, options.crease);
   const render::CrackLines lines =
       picture_lines(shown, result, render::line_reach(drawn, options), context);
   render::write_png(request.picture, render::render_picture(drawn, &lines, options, context),
@@ -52,11 +53,10 @@ void write_picture(const RunRequest& request, const OpenedSurface& shown, const 
 
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
 void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown,
-                           const Result& result, const GrowthTimes& times, Report& report,
-                           const Context& context) {
+                           const Result& result, Report& report, const Context& context) {
   const bool frames = !request.frames.empty() || !request.video.empty();
   std::optional<Growth> growth;
-  if (request.animate || frames) growth.emplace(result, times, shown);
+  if (request.animate || frames) growth.emplace(result, shown);
   context.check();
   if (!request.output.empty()) {
     MorphAnimation animation;
@@ -70,7 +70,7 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
     write_mesh(request.output, shown.mesh, options, context);
   }
   if (frames) {
-    write_frames(request, {result, times, shown, *growth}, picture_options(request), context);
+    write_frames(request, {result, shown, *growth}, picture_options(request), context);
   }
 }
 
@@ -79,20 +79,21 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
 std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request,
                                                        const Result& result, Report& report,
                                                        const Context& context) {
-  const GrowthTimes times = growth_times(result);
+  GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
   context.check();
-  const OpenedSurface shown = opened_surface(result, std::move(cut), request.recipe.post, context);
+  const OpenedSurface shown = opened_surface(result, std::move(cut), std::move(times),
+                                             result.report().recipe.post, context);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
-  write_mesh_and_growth(request, shown, result, times, report, context);
+  write_mesh_and_growth(request, shown, result, report, context);
   context.check();
   if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), context);
   context.check();
   if (!request.maps.folder.empty()) {
     MapsRequest maps = request.maps;
-    maps.options.post = request.recipe.post;
+    maps.options.post = result.report().recipe.post;
     const std::vector<std::string> warnings = write_maps(result, maps, context);
     report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
   }
@@ -103,7 +104,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   context.check();
   const CrackedSurface& state = result.state();
   if (request.report.empty() || state.network.edges.empty()) return {};
-  return compute_with_sensitivity(graph_from_network(state.network, state.simulation->mesh()));
+  return compute_with_sensitivity(graph_from_network(state.network, state.mesh()));
 }
 
 }  // namespace craze

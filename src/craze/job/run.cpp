@@ -37,7 +37,8 @@ Input load(const RunRequest& request, std::vector<std::string>& warnings, const 
   input.name = request.input;
   input.surface = std::make_shared<const SurfaceMesh>(std::move(file.mesh));
   const SimulationParameters& p = request.recipe.simulation;
-  for (const std::string* path : {&p.stress.texture, &p.material.texture, &p.layer.texture}) {
+  for (const std::string* path :
+       {&p.stress.texture, &p.material.texture, &p.layer.texture, &p.where.texture}) {
     if (!path->empty() && !input.textures.count(*path)) {
       input.textures.emplace(*path, to_grey(read_image_file(*path, context)));
     }

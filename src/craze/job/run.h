@@ -45,7 +45,8 @@ struct RunResult {
 };
 
 /// Finds before any work what would fail after it: an output of a wrong kind (Error(usage)), a
-/// folder that does not exist or cannot be written, two outputs in one file, nothing asked for.
+/// folder that does not exist or cannot be written, two outputs in one file, nothing asked for, a
+/// recipe that says one thing in two ways.
 void check_request(const RunRequest& request);
 
 /// The same for a picture alone.

@@ -27,25 +27,17 @@ CrackNetwork crack_network(const Simulation& simulation) {
   CrackNetwork network;
   const std::int32_t halfedges = 3 * mesh.face_count();
   std::vector<Side> sides;
-  std::vector<char> on_border(mesh.vertex_count(), 0);  // by root
   for (std::int32_t h = 0; h < halfedges; ++h) {
-    if (!mesh.is_open(h)) continue;
-    if (mesh.crack_of(h) >= 0) {
-      sides.push_back({mesh.crack_of(h), h});
-    } else {
-      on_border[mesh.root(mesh.from(h))] = on_border[mesh.root(mesh.to(h))] = 1;
-    }
+    if (mesh.crack_of(h) >= 0) sides.push_back({mesh.crack_of(h), h});
   }
   std::stable_sort(sides.begin(), sides.end(),
                    [](const Side& a, const Side& b) { return a.label < b.label; });
 
   std::vector<std::int32_t> node_of_root(mesh.vertex_count(), -1);
-  std::vector<std::int32_t> degree;
   const auto node = [&](std::int32_t root) {
     if (node_of_root[root] < 0) {
       node_of_root[root] = static_cast<std::int32_t>(network.nodes.size());
       network.nodes.push_back({mesh.position(root), Vec3::Zero(), -1, JunctionKind::bend, root});
-      degree.push_back(0);
     }
     return node_of_root[root];
   };
@@ -81,12 +73,19 @@ CrackNetwork crack_network(const Simulation& simulation) {
       edge.width = width;
       edge.event = segment.event;
       edge.face = segment.geometry.source_face;
-      ++degree[edge.a];
-      ++degree[edge.b];
       network.edges.push_back(edge);
     }
   }
 
+  describe_nodes(mesh, network);
+  return network;
+}
+
+void describe_nodes(const TriangleMesh& mesh, CrackNetwork& network) {
+  std::vector<std::int32_t> node_of_root(mesh.vertex_count(), -1);
+  for (std::size_t n = 0; n < network.nodes.size(); ++n) {
+    node_of_root[network.nodes[n].vertex] = static_cast<std::int32_t>(n);
+  }
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const Triangle& t = mesh.triangle(f);
     const Vec3& p = mesh.position(t[0]);
@@ -98,17 +97,25 @@ CrackNetwork crack_network(const Simulation& simulation) {
       network.nodes[n].face = mesh.source_face(f);
     }
   }
-  for (std::int32_t root = 0; root < mesh.vertex_count(); ++root) {
-    const std::int32_t n = node_of_root[root];
-    if (n < 0) continue;
-    CrackNode& crack_node = network.nodes[n];
-    crack_node.normal.normalize();
-    crack_node.kind = on_border[root]  ? JunctionKind::border
-                      : degree[n] == 1 ? JunctionKind::end
-                      : degree[n] == 2 ? JunctionKind::bend
-                                       : JunctionKind::junction;
+  std::vector<std::int32_t> degree(network.nodes.size(), 0);
+  for (const CrackEdge& edge : network.edges) {
+    ++degree[edge.a];
+    ++degree[edge.b];
   }
-  return network;
+  for (std::size_t n = 0; n < network.nodes.size(); ++n) {
+    CrackNode& node = network.nodes[n];
+    node.normal.normalize();
+    node.kind = degree[n] == 1   ? JunctionKind::end
+                : degree[n] == 2 ? JunctionKind::bend
+                                 : JunctionKind::junction;
+  }
+  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+    if (mesh.opposite(h) != TriangleMesh::border) continue;
+    for (const std::int32_t v : {mesh.from(h), mesh.to(h)}) {
+      const std::int32_t n = node_of_root[mesh.root(v)];
+      if (n >= 0) network.nodes[n].kind = JunctionKind::border;
+    }
+  }
 }
 
 std::vector<HealedPiece> healed_pieces(const CrackNetwork& network) {

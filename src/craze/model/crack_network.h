@@ -42,6 +42,10 @@ struct CrackNetwork {
 
 CrackNetwork crack_network(const Simulation& simulation);
 
+/// Fills in normal, face and kind of the nodes from the mesh, whose vertices they name by their
+/// roots, and from the edges.
+void describe_nodes(const TriangleMesh& mesh, CrackNetwork& network);
+
 /// What the edges leave behind where they heal.
 std::vector<HealedPiece> healed_pieces(const CrackNetwork& network);
 

@@ -5,7 +5,6 @@
 
 #include "craze/base/segment_distance.h"
 #include "craze/engine/cracked_surface.h"
-#include "craze/mesh/transfer_attributes.h"
 #include "craze/products/distance/nearby_cracks.h"
 
 namespace craze {
@@ -32,10 +31,10 @@ Attribute make(const char* name, int components, std::int32_t n, double value) {
   return {name, components, std::vector<double>(static_cast<std::size_t>(n) * components, value)};
 }
 
-void add_nearest_crack(SurfaceMesh& surface, const Simulation& simulation,
+void add_nearest_crack(SurfaceMesh& surface, const CrackedSurface& state,
                        const GrowthTimes& growth_times, const Context& context) {
-  const TriangleMesh& mesh = simulation.mesh();
-  const std::vector<double> times = simulation.crack_times();
+  const TriangleMesh& mesh = state.mesh();
+  const std::vector<double> times = state.crack_times();
   const double far = box_diagonal(mesh.positions());
   const std::vector<std::int32_t>& sides = growth_times.sites.sides;
   Attribute distance = make("crack_distance", 1, mesh.vertex_count(), far);
@@ -69,21 +68,20 @@ void add_nearest_crack(SurfaceMesh& surface, const Simulation& simulation,
 }  // namespace
 
 SurfaceMesh plain_cut_surface(const Result& result) {
-  return transfer_attributes(result.state().surface, result.state().simulation->mesh());
+  return result.state().with_attributes(result.state().surface);
 }
 
 SurfaceMesh cut_surface(const Result& result, const GrowthTimes& times, const Context& context) {
-  const Simulation& simulation = *result.state().simulation;
+  const CrackedSurface& state = result.state();
   SurfaceMesh surface = plain_cut_surface(result);
-  add_nearest_crack(surface, simulation, times, context);
+  add_nearest_crack(surface, state, times, context);
 
   Attribute displacement{"displacement", 3, {}};
-  for (std::int32_t v = 0; v < simulation.mesh().vertex_count(); ++v) {
-    const Vec3 u = simulation.displacement(v);
+  for (const Vec3& u : state.displacements()) {
     displacement.values.insert(displacement.values.end(), u.data(), u.data() + 3);
   }
   set_attribute(surface.vertex_attributes, std::move(displacement));
-  const std::vector<std::int32_t>& fragment = result.state().fragments.face;
+  const std::vector<std::int32_t>& fragment = state.fragments.face;
   set_attribute(surface.face_attributes, {"fragment", 1, {fragment.begin(), fragment.end()}});
   const std::vector<std::int32_t>& source = surface.source_faces;
   set_attribute(surface.face_attributes, {"source_face", 1, {source.begin(), source.end()}});

@@ -8,7 +8,7 @@
 
 namespace craze {
 
-/// The cut mesh with the attributes of the mesh that the simulation started with, and
+/// The cut mesh with the attributes of the surface that it was cut out of, and
 /// per vertex: crack_distance, along the surface to the nearest crack, the diagonal of the box
 /// where there is none; crack_time, the load when that crack opened, and crack_growth, the time of
 /// the clip (crack_schedule.h) when it came to its nearest point, both −1 where there is none;
@@ -17,7 +17,7 @@ namespace craze {
 /// are replaced. Cracks are shut: see opening/opened_surface.h. Throws Cancelled.
 SurfaceMesh cut_surface(const Result& result, const GrowthTimes& times, const Context& context);
 
-/// The cut mesh with the attributes of the mesh that the simulation started with alone.
+/// The cut mesh with the attributes of the surface that it was cut out of alone.
 SurfaceMesh plain_cut_surface(const Result& result);
 
 }  // namespace craze

@@ -6,6 +6,7 @@
 #include "craze/engine/cracked_surface.h"
 #include "craze/products/cut_surface.h"
 #include "craze/products/growth/growth.h"
+#include "craze/products/opening/opened_origin.h"
 #include "craze/products/opening/opened_surface.h"
 #include "craze/products/report_json.h"
 #include "craze/products/statistics/graph/simplify_lines.h"
@@ -15,14 +16,13 @@ namespace craze {
 namespace {
 
 StatisticsWithSensitivity statistics_of(const CrackedSurface& state) {
-  return compute_with_sensitivity(graph_from_network(state.network, state.simulation->mesh()));
+  return compute_with_sensitivity(graph_from_network(state.network, state.mesh()));
 }
 
 }  // namespace
 
 struct Opening::State {
   Result result;
-  GrowthTimes times;
   OpenedSurface surface;
 };
 
@@ -38,12 +38,16 @@ SurfaceMesh cut_mesh(const Result& result, const Context& context) {
 Opening::Opening(const Result& result, const PostParameters& post, const Context& context) {
   GrowthTimes times = growth_times(result);
   SurfaceMesh cut = cut_surface(result, times, context);
-  OpenedSurface surface = opened_surface(result, std::move(cut), post, context);
-  state_ = std::make_shared<const State>(State{result, std::move(times), std::move(surface)});
+  state_ = std::make_shared<const State>(
+      State{result, opened_surface(result, std::move(cut), std::move(times), post, context)});
 }
 
 const SurfaceMesh& Opening::mesh() const {
   return state_->surface.mesh;
+}
+
+SurfaceOrigin Opening::origin() const {
+  return opened_origin(state_->result, state_->surface);
 }
 
 const std::vector<std::string>& Opening::warnings() const {
@@ -52,8 +56,7 @@ const std::vector<std::string>& Opening::warnings() const {
 
 GrowthClip::GrowthClip(const Opening& opening)
     : state_(std::make_shared<const State>(
-          State{opening.state_,
-                {opening.state_->result, opening.state_->times, opening.state_->surface}})) {}
+          State{opening.state_, {opening.state_->result, opening.state_->surface}})) {}
 
 std::vector<Vec3> GrowthClip::positions_at(double time) const {
   return state_->growth.positions_at(time);

@@ -26,7 +26,8 @@ class AssetTopology {
  public:
   /// Welds equal positions. O(#V log #V + #F).
   AssetTopology(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles);
-  /// places: #V, for each vertex the lowest vertex that lies where it lies. O(#V + #F).
+  /// places: #V, for each vertex the lowest one that is the same place; each its own where vertices
+  /// are joined as the surface is, which is what repair makes. O(#V + #F).
   AssetTopology(const std::vector<Triangle>& triangles, std::vector<std::int32_t> places);
 
   std::int32_t face_count() const { return static_cast<std::int32_t>(triangles_.size()); }

@@ -1,11 +1,11 @@
 #include "craze/engine/asset/carry_onto_asset.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
-#include "craze/engine/asset/asset_topology.h"
 #include "craze/engine/asset/carry_field.h"
 #include "craze/engine/asset/crack_sides.h"
-#include "craze/engine/asset/cut_surface.h"
 #include "craze/engine/asset/sheet_search.h"
 
 namespace craze {
@@ -22,11 +22,58 @@ double mean_length(const CrackNetwork& network) {
   return network.edges.empty() ? 0 : sum / static_cast<double>(network.edges.size());
 }
 
+/// Numbers the vertices of `cut` as `mesh` does, which has the same faces. The asset's own, which
+/// come first, keep their place, but of the sides of a crack another one may keep the vertex.
+void number_as(const TriangleMesh& mesh, CutAsset& cut) {
+  const std::size_t own = cut.positions.size() - cut.new_vertices.size();
+  std::vector<SurfacePoint> at(cut.positions.size());  // by root
+  for (std::size_t v = own; v < at.size(); ++v) at[cut.root[v]] = cut.new_vertices[v - own];
+  std::vector<std::int32_t> number(cut.positions.size());
+  std::iota(number.begin(), number.end(), 0);  // what has no faces keeps its number
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    for (int i = 0; i < 3; ++i) number[cut.triangles[f][i]] = mesh.triangle(f)[i];
+  }
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    cut.root[v] = mesh.root(v);
+    if (v >= static_cast<std::int32_t>(own)) cut.new_vertices[v - own] = at[mesh.root(v)];
+  }
+  for (std::int32_t& v : cut.point_vertex) v = number[v];
+  cut.positions = mesh.positions();
+  cut.triangles = mesh.triangles();
+}
+
+/// The cracks of the mesh, whose edge e lies on edge cut.edges[e].curve_edge of `simulated`.
+CrackNetwork network_on(const TriangleMesh& mesh, const CutAsset& cut,
+                        const CrackNetwork& simulated) {
+  CrackNetwork network;
+  std::vector<std::int32_t> node_of_root(mesh.vertex_count(), -1);
+  const auto node = [&](std::int32_t v) {
+    std::int32_t& n = node_of_root[mesh.root(v)];
+    if (n < 0) {
+      n = static_cast<std::int32_t>(network.nodes.size());
+      network.nodes.push_back(
+          {mesh.position(v), Vec3::Zero(), -1, JunctionKind::bend, mesh.root(v)});
+    }
+    return n;
+  };
+  for (const CutEdge& piece : cut.edges) {
+    const std::int32_t h = piece.side[0];
+    CrackEdge edge = simulated.edges[piece.curve_edge];
+    edge.a = node(mesh.from(h));
+    edge.b = node(mesh.to(h));
+    edge.face = cut.face_source[h / 3];
+    network.edges.push_back(edge);
+  }
+  describe_nodes(mesh, network);
+  for (CrackNode& n : network.nodes) n.face = cut.face_source[n.face];
+  return network;
+}
+
 }  // namespace
 
 CrackCurves crack_curves(const CrackNetwork& network, const SurfaceMesh& asset,
+                         const AssetTopology& topology,
                          const std::vector<std::int32_t>& asset_face) {
-  const AssetTopology topology(asset.positions, asset.triangles);
   SheetSearch search(asset, topology);
   CrackCurves curves;
   for (const CrackNode& node : network.nodes) {
@@ -36,13 +83,22 @@ CrackCurves crack_curves(const CrackNetwork& network, const SurfaceMesh& asset,
   return curves;
 }
 
-CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const CrackedSurface& cracked,
+CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const SimulatedCracks& cracked,
                               double snap) {
+  std::vector<std::int32_t> places(asset.positions.size());
+  std::iota(places.begin(), places.end(), 0);
+  const AssetTopology topology(asset.triangles, std::move(places));
   CrackedAsset result;
-  result.curves = crack_curves(cracked.network, asset, cracked.asset_face);
+  result.curves = crack_curves(cracked.network, asset, topology, cracked.asset_face);
   const double near = snap < 0 ? snap_share * mean_length(cracked.network) : snap;
-  result.cut = cut_asset(asset, result.curves, {near});
-  result.surface = cut_surface(asset, result.cut);
+  result.cut = cut_asset(asset, topology, result.curves, {near});
+  // What lies on the asset's border was open before.
+  std::vector<CutEdge>& edges = result.cut.edges;
+  edges.erase(std::remove_if(edges.begin(), edges.end(),
+                             [](const CutEdge& e) { return e.side[0] < 0 || e.side[1] < 0; }),
+              edges.end());
+  result.mesh = crack_mesh(result.cut);
+  result.network = network_on(result.mesh, result.cut, cracked.network);
   const std::vector<CrackSides> sides =
       crack_sides_of(cracked.mesh, cracked.displacement, cracked.network);
   result.displacement = carry_field(result.cut, result.curves,
@@ -50,7 +106,7 @@ CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const CrackedSurface& cr
   return result;
 }
 
-TriangleMesh crack_mesh(const CutAsset& cut, std::vector<std::int32_t>& vertex_of) {
+TriangleMesh crack_mesh(CutAsset& cut) {
   // Copies are numbered last, so without them the vertices keep their numbers.
   std::vector<Vec3> positions;
   for (std::size_t v = 0; v < cut.positions.size() && cut.root[v] == std::int32_t(v); ++v) {
@@ -65,13 +121,7 @@ TriangleMesh crack_mesh(const CutAsset& cut, std::vector<std::int32_t>& vertex_o
     const std::int32_t h = cut.edges[e].side[0] >= 0 ? cut.edges[e].side[0] : cut.edges[e].side[1];
     if (!mesh.is_open(h)) mesh.cut(h, static_cast<std::int32_t>(e));
   }
-  vertex_of.assign(mesh.vertex_count(), -1);
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    for (int i = 0; i < 3; ++i) vertex_of[mesh.triangle(f)[i]] = cut.triangles[f][i];
-  }
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (vertex_of[v] < 0) vertex_of[v] = v;  // without faces
-  }
+  number_as(mesh, cut);
   return mesh;
 }
 

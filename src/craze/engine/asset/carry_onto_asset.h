@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/engine/asset/asset_topology.h"
 #include "craze/engine/asset/cut_asset.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/crack_network.h"
@@ -12,7 +13,7 @@
 namespace craze {
 
 /// A finished simulation, as far as carrying it over goes.
-struct CrackedSurface {
+struct SimulatedCracks {
   const TriangleMesh& mesh;                ///< cut; Simulation::mesh()
   const CrackNetwork& network;             ///< of that mesh
   const std::vector<Vec3>& displacement;   ///< #V of mesh
@@ -23,24 +24,30 @@ struct CrackedSurface {
 };
 
 struct CrackedAsset {
-  CrackCurves curves;              ///< point n is the network's node n, edge e its edge e
-  CutAsset cut;                    ///< CutEdge::curve_edge numbers the network's edges: time, width
-  SurfaceMesh surface;             ///< the cut asset with all of the asset's attributes
-  std::vector<Vec3> displacement;  ///< #V of cut
+  CrackCurves curves;  ///< point n is the simulation's node n, edge e its edge e
+  CutAsset cut;        ///< vertices and faces numbered as in mesh
+  TriangleMesh mesh;   ///< what is cut: crack_of() numbers the edges of network
+  /// Of mesh: the simulation's cracks as they lie on the asset, with their times, widths and order.
+  /// Faces are the asset's.
+  CrackNetwork network;
+  std::vector<Vec3> displacement;  ///< #V of mesh
 };
 
 /// The network as curves: each node at the nearest point of the asset, looked for from the face
 /// that its own is known to come from, so that it stays on its side of a thin wall.
 CrackCurves crack_curves(const CrackNetwork& network, const SurfaceMesh& asset,
+                         const AssetTopology& topology,
                          const std::vector<std::int32_t>& asset_face);
 
-/// snap as in CutOptions; a twentieth of the mean length of the network's edges if negative.
-CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const CrackedSurface& cracked, double snap);
+/// The asset must suit the constructor of TriangleMesh, which throws what it finds (repair.h):
+/// faces are neighbours where they share vertices. snap as in CutOptions; a twentieth of the mean
+/// length of the network's edges if negative.
+CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const SimulatedCracks& cracked,
+                              double snap);
 
-/// The asset as a mesh that knows its cracks, for what reads a simulation's: faces as in `cut`,
-/// crack_of() the index into cut.edges, copies of a vertex with one root; vertices that the cracks
-/// make come after the others, in another order than in `cut`. vertex_of receives, per vertex, the
-/// one of `cut`. The asset must suit the constructor of TriangleMesh, which throws what it finds.
-TriangleMesh crack_mesh(const CutAsset& cut, std::vector<std::int32_t>& vertex_of);
+/// The asset as a mesh that knows its cracks: faces as in `cut`, crack_of() the index into
+/// cut.edges, copies of a vertex with one root. Vertices that the cracks make come after the
+/// others, in another order than in `cut`, whose vertices are renumbered to the mesh's.
+TriangleMesh crack_mesh(CutAsset& cut);
 
 }  // namespace craze

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "craze/engine/asset/asset_topology.h"
@@ -44,6 +45,7 @@ double along(const CutAsset& cut, const std::array<std::int32_t, 2>& ends, std::
 
 void find_edges(CutAsset& cut, const CrackCurves& curves, const std::vector<CurveLine>& lines,
                 const LineSides& sides) {
+  std::vector<double> start(lines.size());  // of each edge, along its curve edge
   for (std::size_t k = 0; k < lines.size(); ++k) {
     CutEdge edge{lines[k].curve_edge, {-1, -1}};
     for (std::int32_t s = sides.first[k]; s < sides.first[k + 1]; ++s) {
@@ -54,16 +56,26 @@ void find_edges(CutAsset& cut, const CrackCurves& curves, const std::vector<Curv
       std::int32_t& own = edge.side[forward ? 0 : 1];
       std::int32_t& other = edge.side[forward ? 1 : 0];
       (own < 0 ? own : other) = h;
+      start[k] = along(cut, ends, t[(forward ? h : h + 1) % 3]);
     }
     cut.edges.push_back(edge);
   }
+  std::vector<std::size_t> order(cut.edges.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::tie(cut.edges[a].curve_edge, start[a]) <
+           std::tie(cut.edges[b].curve_edge, start[b]);
+  });
+  std::vector<CutEdge> sorted;
+  for (const std::size_t e : order) sorted.push_back(cut.edges[e]);
+  cut.edges = std::move(sorted);
 }
 
 }  // namespace
 
-CutAsset cut_asset(const SurfaceMesh& asset, const CrackCurves& curves, const CutOptions& options) {
+CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
+                   const CrackCurves& curves, const CutOptions& options) {
   check(asset, curves);
-  const AssetTopology topology(asset.positions, asset.triangles);
   SiteTable sites(asset, topology, options.snap);
   std::vector<std::int32_t> points;
   for (const SurfacePoint& p : curves.points) points.push_back(sites.at(p));

@@ -49,17 +49,18 @@ struct CutAsset {
   std::vector<SurfacePoint> new_vertices;  ///< where on the asset those after the asset's own lie
   std::vector<std::int32_t>
       root;  ///< #V: the vertex that a crack made it a copy of; itself if none
-  std::vector<std::int32_t> face_source;  ///< #F: asset faces
-  std::vector<std::int32_t> parts;        ///< the faces that are parts of a split one, ascending
-  std::vector<Vec3> part_weights;         ///< 3 per part: its corners in face_source; exact sums
-  std::vector<CutEdge> edges;
+  std::vector<std::int32_t> face_source;   ///< #F: asset faces
+  std::vector<std::int32_t> parts;         ///< the faces that are parts of a split one, ascending
+  std::vector<Vec3> part_weights;          ///< 3 per part: its corners in face_source; exact sums
+  std::vector<CutEdge> edges;              ///< by curve edge, along it
   std::vector<std::int32_t> point_vertex;  ///< per point of the curves one of its vertices
   CutReport report;
 };
 
 /// Lays the curves onto the asset and cuts it open along them. The asset may have seams, borders,
-/// edges of three faces, triangles without area; vertices at one position count as one place.
+/// edges of three faces, triangles without area; `topology` is its own.
 /// Throws Error(request) where a point names no face or an edge no point.
-CutAsset cut_asset(const SurfaceMesh& asset, const CrackCurves& curves, const CutOptions& options);
+CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
+                   const CrackCurves& curves, const CutOptions& options);
 
 }  // namespace craze

@@ -82,7 +82,9 @@ SurfaceMesh read_gltf(const MeshSource& source) {
     meter.at(i);
     builder.add(instances[i]);
   }
-  return builder.finish();
+  SurfaceMesh mesh = builder.finish();
+  mesh.metres_per_unit = 1;  // section 3.4: all linear distances are in metres
+  return mesh;
 }
 
 }  // namespace craze

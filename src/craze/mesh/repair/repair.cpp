@@ -12,6 +12,7 @@
 #include "craze/mesh/remesh/surface_source.h"
 #include "craze/mesh/repair/duplicate_faces.h"
 #include "craze/mesh/repair/pair_edges.h"
+#include "craze/mesh/repair/traced_repair.h"
 #include "craze/mesh/repair/weld.h"
 #include "craze/mesh/triangle_mesh.h"
 
@@ -53,6 +54,7 @@ void check_input(const SurfaceMesh& s) {
   check_given(s.corner_normals.size(), 3 * faces, "normals");
   check_given(s.vertex_colors.size(), vertices, "colours");
   check_given(s.face_materials.size(), faces, "materials");
+  check_given(s.face_objects.size(), faces, "objects");
   check_given(s.source_faces.size(), faces, "source faces");
   for (const Attribute& a : s.vertex_attributes) {
     check_size(a.values.size(), a.components * vertices, a.name);
@@ -78,7 +80,7 @@ class Workpiece {
   Workpiece(const SurfaceMesh& input, RepairReport& report, const Context& context)
       : input_(input), report_(report), context_(context) {}
 
-  SurfaceMesh run(double tolerance) {
+  TracedSurface run(double tolerance) {
     begin_stage();
     merge_vertices(tolerance);
     begin_stage();
@@ -90,7 +92,7 @@ class Workpiece {
     begin_stage();
     separate_edges();
     begin_stage();
-    return transfer(input_, std::move(triangles_), source_);
+    return {transfer(input_, std::move(triangles_), source_), origin()};
   }
 
  private:
@@ -268,6 +270,16 @@ class Workpiece {
     opposite_[to_end] = o;
   }
 
+  SurfaceOrigin origin() const {
+    SurfaceOrigin origin;
+    origin.face = source_.faces;
+    for (const auto& [a, b] : source_.corners) {
+      origin.weights.push_back(0.5 * (Vec3::Unit(a % 3) + Vec3::Unit(b % 3)));
+    }
+    origin.wall_begin = static_cast<std::int32_t>(origin.face.size());
+    return origin;
+  }
+
   const SurfaceMesh& input_;
   RepairReport& report_;
   const Context& context_;
@@ -299,16 +311,21 @@ std::string RepairReport::text() const {
   return text;
 }
 
-SurfaceMesh repair(const SurfaceMesh& input, const RepairOptions& options, RepairReport& report,
-                   const Context& context) {
+TracedSurface traced_repair(const SurfaceMesh& input, const RepairOptions& options,
+                            RepairReport& report, const Context& context) {
   check_input(input);
   report = {};
-  SurfaceMesh made =
+  TracedSurface made =
       Workpiece(input, report, context).run(options.tolerance * diagonal_of(input.positions));
-  const MeshSummary s = summarize(TriangleMesh(made.positions, made.triangles));
+  const MeshSummary s = summarize(TriangleMesh(made.surface.positions, made.surface.triangles));
   report.components = s.components;
   report.boundary_loops = s.boundary_loops;
   return made;
+}
+
+SurfaceMesh repair(const SurfaceMesh& input, const RepairOptions& options, RepairReport& report,
+                   const Context& context) {
+  return traced_repair(input, options, report, context).surface;
 }
 
 }  // namespace craze

@@ -1,30 +1,27 @@
 #include "craze/products/growth/growth.h"
 
 #include <utility>
-
-#include "craze/engine/cracked_surface.h"
-
 namespace craze {
 
-Growth::Growth(const Result& result, const GrowthTimes& times, const OpenedSurface& opened)
-    : times_(times),
-      opened_(opened),
-      motion_(result.state().simulation->mesh(), times.sites, times.schedule, opened.opened) {}
+Growth::Growth(const Result& result, const OpenedSurface& opened)
+    : opened_(opened),
+      motion_(opened.base(result), opened.times.sites, opened.times.schedule, opened.opened) {}
 
 std::vector<double> Growth::openness_at(double time) const {
   std::vector<double> openness;
   openness.reserve(opened_.opened.vertex_of.size());
   for (const std::int32_t v : opened_.opened.vertex_of) {
-    const std::int32_t site = times_.sites.site_of[v];
-    openness.push_back(site < 0 ? 0 : CrackSchedule::openness(times_.schedule.sites[site], time));
+    const std::int32_t site = opened_.times.sites.site_of[v];
+    openness.push_back(
+        site < 0 ? 0 : CrackSchedule::openness(opened_.times.schedule.sites[site], time));
   }
   return openness;
 }
 
 std::vector<std::array<float, 2>> Growth::side_openness_at(double time) const {
   std::vector<std::array<float, 2>> open;
-  open.reserve(times_.schedule.sides.size());
-  for (const auto& [from, to] : times_.schedule.sides) {
+  open.reserve(opened_.times.schedule.sides.size());
+  for (const auto& [from, to] : opened_.times.schedule.sides) {
     open.push_back({static_cast<float>(CrackSchedule::openness(from, time)),
                     static_cast<float>(CrackSchedule::openness(to, time))});
   }

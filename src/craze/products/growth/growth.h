@@ -16,8 +16,8 @@ namespace craze {
 /// Times of the clip run from 0, no crack, to 1, all of them. Keeps references to what it is given.
 class Growth {
  public:
-  /// `opened` was made of `result`, `times` are its.
-  Growth(const Result& result, const GrowthTimes& times, const OpenedSurface& opened);
+  /// `opened` was made of `result`.
+  Growth(const Result& result, const OpenedSurface& opened);
 
   /// #V of the opened mesh, model units: its vertices at a time of the clip. The triangles stay.
   std::vector<Vec3> positions_at(double time) const { return motion_.positions(time); }
@@ -32,7 +32,6 @@ class Growth {
   MorphAnimation animation(int stages, double seconds, const Context& context) const;
 
  private:
-  const GrowthTimes& times_;
   const OpenedSurface& opened_;
   GrowthMotion motion_;
 };

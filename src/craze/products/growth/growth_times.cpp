@@ -4,12 +4,15 @@
 
 namespace craze {
 
-GrowthTimes growth_times(const Result& result) {
-  const CrackedSurface& state = result.state();
+GrowthTimes growth_times(const TriangleMesh& mesh, const CrackNetwork& network) {
   GrowthTimes times;
-  times.sites = crack_sites(state.simulation->mesh());
-  times.schedule = crack_schedule(state.simulation->mesh(), times.sites, state.network);
+  times.sites = crack_sites(mesh);
+  times.schedule = crack_schedule(mesh, times.sites, network);
   return times;
+}
+
+GrowthTimes growth_times(const Result& result) {
+  return growth_times(result.state().mesh(), result.state().network);
 }
 
 }  // namespace craze

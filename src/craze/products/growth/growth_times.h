@@ -12,6 +12,8 @@ struct GrowthTimes {
   CrackSchedule schedule;  ///< when the cracks come to them
 };
 
+/// `network` is that of the mesh.
+GrowthTimes growth_times(const TriangleMesh& mesh, const CrackNetwork& network);
 GrowthTimes growth_times(const Result& result);
 
 }  // namespace craze

@@ -58,7 +58,7 @@ MapSurface map_surface(const Result& result) {
   }
   MapSurface maps;
   maps.surface = state.surface;
-  const TriangleMesh& cut = state.simulation->mesh();
+  const TriangleMesh& cut = state.mesh();
   const SurfaceMesh with_uvs = plain_cut_surface(result);
   for (std::int32_t f = 0; f < cut.face_count(); ++f) {
     const auto corner = 3 * static_cast<std::size_t>(f);

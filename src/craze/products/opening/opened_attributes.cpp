@@ -15,36 +15,22 @@ std::int32_t corner_source(const TriangleMesh& cut, const OpenedMesh& opened, st
   return cut.first_halfedge(opened.vertex_of[opened.mesh.triangles[face][corner]]);
 }
 
-/// Per face the face of the cut mesh that it takes after: itself, or for a wall one at its rim.
-std::vector<std::int32_t> parents(const TriangleMesh& cut, const OpenedMesh& opened) {
-  std::vector<std::int32_t> parent = opened.face_of;
-  for (std::size_t f = 0; f < parent.size(); ++f) {
-    if (parent[f] >= 0) continue;
-    const Triangle& t = opened.mesh.triangles[f];
-    const auto* rim =
-        std::find_if(t.begin(), t.end(), [&](std::int32_t v) { return v < cut.vertex_count(); });
-    parent[f] = cut.first_halfedge(rim == t.end() ? opened.vertex_of[t[0]] : *rim) / 3;
-  }
-  return parent;
-}
-
 Vec3 face_normal(const SurfaceMesh& mesh, std::size_t f) {
   const Triangle& t = mesh.triangles[f];
   const Vec3& p = mesh.positions[t[0]];
   return (mesh.positions[t[1]] - p).cross(mesh.positions[t[2]] - p).normalized();
 }
 
-void add_materials(SurfaceMesh& result, const SurfaceMesh& cut_surface,
-                   const std::vector<std::int32_t>& parent, const OpenedMesh& opened) {
+void add_materials(SurfaceMesh& result, const SurfaceMesh& cut_surface, const OpenedMesh& opened) {
   result.material_names = cut_surface.material_names;
   const auto wall = static_cast<std::int32_t>(result.material_names.size());
   result.material_names.emplace_back("crack_wall");
-  result.face_materials.assign(parent.size(), -1);
-  for (std::size_t f = 0; f < parent.size(); ++f) {
+  result.face_materials.assign(opened.beside.size(), -1);
+  for (std::size_t f = 0; f < opened.beside.size(); ++f) {
     if (opened.face_of[f] < 0) {
       result.face_materials[f] = wall;
     } else if (!cut_surface.face_materials.empty()) {
-      result.face_materials[f] = cut_surface.face_materials[parent[f]];
+      result.face_materials[f] = cut_surface.face_materials[opened.beside[f]];
     }
   }
 }
@@ -54,10 +40,10 @@ void add_materials(SurfaceMesh& result, const SurfaceMesh& cut_surface,
 SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh& cut,
                               const OpenedMesh& opened, bool keep_normals) {
   SurfaceMesh result;
+  result.metres_per_unit = cut_surface.metres_per_unit;
   result.positions = opened.mesh.positions;
   result.triangles = opened.mesh.triangles;
-  const std::vector<std::int32_t> parent = parents(cut, opened);
-  const std::size_t faces = parent.size();
+  const std::size_t faces = opened.beside.size();
 
   const bool normals = keep_normals && !cut_surface.corner_normals.empty();
   for (std::size_t f = 0; f < faces; ++f) {
@@ -81,19 +67,26 @@ SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh
     result.vertex_attributes.push_back(pick(a, opened.vertex_of));
   }
   for (const Attribute& a : cut_surface.face_attributes) {
-    result.face_attributes.push_back(pick(a, parent));
+    result.face_attributes.push_back(pick(a, opened.beside));
     if (a.name != "source_face") continue;
     for (std::size_t f = 0; f < faces; ++f) {
       if (opened.face_of[f] < 0) result.face_attributes.back().values[f] = -1;
     }
   }
   for (std::size_t f = 0; f < faces; ++f) {
-    result.source_faces.push_back(opened.face_of[f] < 0 ? -1 : cut_surface.source_faces[parent[f]]);
+    result.source_faces.push_back(
+        opened.face_of[f] < 0 ? -1 : cut_surface.source_faces[opened.beside[f]]);
+  }
+  result.object_names = cut_surface.object_names;
+  for (const std::int32_t f : parent) {
+    if (!cut_surface.face_objects.empty()) {
+      result.face_objects.push_back(cut_surface.face_objects[f]);
+    }
   }
   const bool any_wall =
       std::find(opened.face_of.begin(), opened.face_of.end(), -1) != opened.face_of.end();
   if (any_wall || !cut_surface.face_materials.empty()) {
-    add_materials(result, cut_surface, parent, opened);
+    add_materials(result, cut_surface, opened);
   }
   return result;
 }

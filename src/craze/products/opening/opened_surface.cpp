@@ -6,11 +6,30 @@
 #include <utility>
 
 #include "craze/engine/cracked_surface.h"
+#include "craze/mesh/transfer_attributes.h"
+#include "craze/products/opening/bend_refinement.h"
+#include "craze/products/opening/curl.h"
 #include "craze/products/opening/opened_attributes.h"
 
 namespace craze {
 
 namespace {
+
+Attribute as_attribute(const std::vector<Vec3>& vectors) {
+  Attribute attribute{"vectors", 3, {}};
+  for (const Vec3& u : vectors) {
+    attribute.values.insert(attribute.values.end(), u.data(), u.data() + 3);
+  }
+  return attribute;
+}
+
+std::vector<Vec3> as_vectors(const Attribute& attribute) {
+  std::vector<Vec3> vectors;
+  for (auto x = attribute.values.begin(); x != attribute.values.end(); x += 3) {
+    vectors.emplace_back(x[0], x[1], x[2]);
+  }
+  return vectors;
+}
 
 OpenedMesh unopened(const SurfaceMesh& cut) {
   OpenedMesh opened;
@@ -20,6 +39,7 @@ OpenedMesh unopened(const SurfaceMesh& cut) {
   opened.face_of.resize(cut.triangles.size());
   std::iota(opened.vertex_of.begin(), opened.vertex_of.end(), 0);
   std::iota(opened.face_of.begin(), opened.face_of.end(), 0);
+  opened.beside = opened.face_of;
   return opened;
 }
 
@@ -44,23 +64,38 @@ std::vector<std::string> opening_warnings(const OpenedMesh& opened, const Triang
 
 }  // namespace
 
-OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, const PostParameters& post,
-                             const Context& context) {
+const TriangleMesh& OpenedSurface::base(const Result& result) const {
+  return refined ? *refined : result.state().mesh();
+}
+
+OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes times,
+                             const PostParameters& post, const Context& context) {
+  OpenedSurface surface;
+  surface.times = std::move(times);
   if (post.gap == 0 && post.wall == 0) {
-    OpenedMesh opened = unopened(cut);
-    return {std::move(cut), std::move(opened), true, {}};
+    surface.opened = unopened(cut);
+    surface.mesh = std::move(cut);
+    return surface;
   }
-  const Simulation& simulation = *result.state().simulation;
-  const TriangleMesh& mesh = simulation.mesh();
-  std::vector<Vec3> displacement(static_cast<std::size_t>(mesh.vertex_count()));
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    displacement[v] = simulation.displacement(v);
+  const CrackedSurface& state = result.state();
+  std::vector<Vec3> displacement = state.displacements();
+  if (post.curl != 0 && state.asset) {
+    const double length = natural_curl_length(state.mesh(), surface.times.sites);
+    surface.refined = refined_to_bend(
+        state.mesh(), find_attribute(cut.vertex_attributes, "crack_distance")->values, length);
+  }
+  const TriangleMesh& mesh = surface.base(result);
+  if (surface.refined) {
+    cut.vertex_attributes.push_back(as_attribute(displacement));
+    cut = transfer_attributes(cut, mesh);
+    displacement = as_vectors(cut.vertex_attributes.back());
+    cut.vertex_attributes.pop_back();
+    surface.times = growth_times(mesh, state.network);
   }
   OpeningOptions options;
   options.gap = post.gap;
   options.wall = post.wall;
   options.curl = post.curl;
-  OpenedSurface surface;
   surface.opened = open_cracks(mesh, displacement, options, context);
   context.check();
   context.report({"open", 1});

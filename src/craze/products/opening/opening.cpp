@@ -59,6 +59,7 @@ void add_walls(const SideWalls& walls, OpenedMesh& opened) {
   mesh.face_materials.resize(mesh.triangles.size(), 0);
   opened.vertex_of.insert(opened.vertex_of.end(), walls.vertex.begin(), walls.vertex.end());
   opened.face_of.resize(mesh.triangles.size(), -1);
+  opened.beside.insert(opened.beside.end(), walls.beside.begin(), walls.beside.end());
 }
 
 }  // namespace
@@ -92,6 +93,7 @@ OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displa
   opened.face_of.resize(mesh.triangles().size());
   std::iota(opened.vertex_of.begin(), opened.vertex_of.end(), 0);
   std::iota(opened.face_of.begin(), opened.face_of.end(), 0);
+  opened.beside = opened.face_of;
   add_walls(walls, opened);
   return opened;
 }

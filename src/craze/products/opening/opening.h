@@ -26,6 +26,7 @@ struct OpenedMesh {
   SurfaceMesh mesh;
   std::vector<std::int32_t> vertex_of;  ///< #V: the simulation vertex
   std::vector<std::int32_t> face_of;    ///< #F: the simulation face, −1 for walls
+  std::vector<std::int32_t> beside;     ///< #F: that face, or the one that a wall hangs from
   /// Where the surface would have passed through itself it was opened less.
   std::int32_t limited_vertices = 0;  ///< of the simulation mesh
   double least_share = 1;             ///< of the opening asked for

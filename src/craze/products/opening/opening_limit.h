@@ -36,9 +36,9 @@ struct OpeningLimit {
 };
 
 /// Starts with all the way, or half of the distance between cracks where that is less, and takes
-/// back, a little further around, what makes triangles turn over or cross: first the depth of
-/// walls, then the movement. What crosses in the mesh as it is cannot be mended so and does not
-/// count. Throws Cancelled.
+/// back what makes triangles turn over or cross, first the depth of walls, then the movement; from
+/// there shares grow with the distance along the surface, so that openings taper. What crosses in
+/// the mesh as it is cannot be mended so and does not count. Throws Cancelled.
 OpeningLimit limit_opening(const OpeningMotion& motion, const Context& context);
 
 }  // namespace craze

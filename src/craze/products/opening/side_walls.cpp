@@ -31,6 +31,7 @@ class WallBuilder {
       walls_.triangles.push_back({i < from_start ? a : b, bottoms[i], bottoms[i + 1]});
     }
     if (from_start + 1 == bottoms.size()) walls_.triangles.push_back({a, bottoms.back(), b});
+    walls_.beside.resize(walls_.triangles.size(), TriangleMesh::face_of(h));
   }
 
   SideWalls take() { return std::move(walls_); }

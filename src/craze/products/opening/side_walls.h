@@ -14,6 +14,7 @@ struct SideWalls {
   std::vector<Vec3> bottom;          ///< the place of a vertex before opening, `depth` inwards
   std::vector<std::int32_t> vertex;  ///< the vertex above each bottom, one of those on its site
   std::vector<Triangle> triangles;   ///< vertices of the mesh, then the bottoms from #V on
+  std::vector<std::int32_t> beside;  ///< for each triangle the face of the mesh that it hangs from
 };
 
 /// From each side of a crack down to the bottom of the crack's original line, facing the gap. The

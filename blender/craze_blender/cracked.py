@@ -1,0 +1,79 @@
+"""Cracked objects: made of an object, and what they know of their run."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import bpy
+import numpy as np
+
+from . import mesh_in
+from .runs import POST, Made, Order
+from .work import Problem
+
+
+def is_cracked(thing: Any) -> bool:
+    return thing is not None and thing.type == "MESH" and thing.craze.mesh is not None
+
+
+def group_names(thing: Any) -> list[str]:
+    return [group.name for group in thing.vertex_groups]
+
+
+def new_object(context: Any, thing: Any, made: Made, order: Order) -> Any:
+    """A copy of an object that has the cracked mesh, beside it in its collections, active; the
+    object itself is hidden."""
+    new = thing.copy()
+    new.name = f"{thing.name} cracked"
+    adopt(new, made, order)
+    for collection in thing.users_collection:
+        collection.objects.link(new)
+    for other in context.selected_objects:
+        other.select_set(False)
+    thing.hide_set(True)
+    thing.hide_render = True
+    new.select_set(True)
+    context.view_layer.objects.active = new
+    return new
+
+
+def adopt(thing: Any, made: Made, order: Order) -> None:
+    """Gives an object the cracked mesh that was made of it, and what it was made of. Its modifiers
+    are in the mesh."""
+    for modifier in mesh_in.modifiers_to_apply(thing):
+        thing.modifiers.remove(modifier)
+    replace_mesh(thing, made)
+    thing.craze.mesh = order.mesh
+    thing.craze.stretch = json.dumps(order.stretch.tolist())
+
+
+def replace_mesh(thing: Any, made: Made) -> None:
+    """Gives an object a cracked mesh; one that it had before is removed."""
+    old = thing.data if is_cracked(thing) else None
+    thing.data = made.mesh
+    if old is not None and old.users == 0:
+        bpy.data.meshes.remove(old)
+    thing.craze.run = made.run
+    if made.report:
+        thing.craze.report = json.dumps(made.report)
+        thing.craze.recipe = json.dumps(made.report["recipe"])
+
+
+def order_of(thing: Any) -> Order:
+    """To make a cracked object's run again."""
+    if not is_cracked(thing):
+        raise Problem("the object was not cracked by craze, or not in this file")
+    return Order(
+        mesh=thing.craze.mesh,
+        groups=group_names(thing),
+        stretch=np.array(json.loads(thing.craze.stretch)),
+        recipe=json.loads(thing.craze.recipe),
+        run=thing.craze.run,
+    )
+
+
+def post_of(thing: Any) -> dict[str, float]:
+    """How its cracks are open."""
+    post = json.loads(thing.craze.recipe)["post"]
+    return {name: post[name] for name in POST}

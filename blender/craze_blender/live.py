@@ -1,0 +1,103 @@
+"""A cracked object follows the panel's sliders: gap, wall and curl at once, of the run that the
+engine keeps; the rest in the background. The latest wish wins."""
+
+from __future__ import annotations
+
+import json
+import time
+from typing import Any
+
+import bpy
+
+from . import cracked, process, runs, settings
+from .work import Work
+
+PAUSE = 0.15  # seconds without a change before it begins
+INTERVAL = 0.02
+SLICE = 0.012
+
+
+class _Wish:
+    """What the active cracked object should become; None: nothing."""
+
+    do: str | None = None
+    since = 0.0
+    work: Work | None = None
+    thing = ""  # the object's name: a reference would not outlive an undo
+
+
+def wanted(context: Any, do: str) -> None:
+    """Something changed: "open", how cracks are open; "crack", the rest."""
+    scene = context.scene
+    if bpy.app.background or scene is None or not scene.craze.live:
+        return
+    thing = context.active_object if hasattr(context, "active_object") else None
+    if not cracked.is_cracked(thing):
+        return
+    if _Wish.do != "crack" or _Wish.thing != thing.name:
+        _Wish.do = do
+    _Wish.thing, _Wish.since = thing.name, time.monotonic()
+    if _Wish.work is not None and _Wish.do == "crack":
+        _Wish.work.cancel()
+        _Wish.work = None
+    if not bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.register(_tick, first_interval=INTERVAL)
+
+
+def start(thing: Any, do: str, scene: Any) -> Work:
+    """The work that brings a cracked object up to the panel; its result is runs.Made."""
+    engine, order, name = process.engine(), cracked.order_of(thing), thing.data.name
+    recipe = settings.recipe_of(scene.craze, settings.to_engine(thing.matrix_world, order.stretch))
+    if do == "open":
+        post = {key: recipe["post"][key] for key in runs.POST}
+        return Work(engine, runs.open_again(engine, order, name, post))
+    order.recipe, order.run = recipe, runs.new_run()
+    return Work(engine, runs.crack(engine, order, name))
+
+
+def finish(thing: Any, work: Work, scene: Any) -> None:
+    """Gives the object what came of it."""
+    cracked.replace_mesh(thing, work.result)
+    if not work.result.report:
+        recipe = json.loads(thing.craze.recipe)
+        shown = settings.recipe_of(scene.craze, list)
+        for key in runs.POST:
+            recipe["post"][key] = shown["post"][key]
+        thing.craze.recipe = json.dumps(recipe)
+
+
+def _tick() -> float | None:
+    work = _Wish.work
+    if work is None:
+        if _Wish.do is None:
+            return None
+        thing = bpy.data.objects.get(_Wish.thing)
+        if not cracked.is_cracked(thing):
+            _Wish.do = None
+            return None
+        pause = 0.0 if _Wish.do == "open" else PAUSE
+        if time.monotonic() - _Wish.since >= pause:
+            _Wish.work = start(thing, _Wish.do, bpy.context.scene)
+            _Wish.do = None
+        return INTERVAL
+    if work.advance(SLICE):
+        _Wish.work = None
+        thing = bpy.data.objects.get(_Wish.thing)
+        if work.state == "done" and thing is not None:
+            finish(thing, work, bpy.context.scene)
+            with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+                bpy.ops.ed.undo_push(message="Craze")
+        elif work.state == "failed":
+            print(f"craze: {work.error}")
+    return INTERVAL
+
+
+def stop() -> None:
+    """Gives up what is under way."""
+    if _Wish.work is not None:
+        _Wish.work.cancel()
+    _Wish.work = _Wish.do = None
+    if bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.unregister(_tick)
+
+

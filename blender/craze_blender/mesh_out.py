@@ -1,0 +1,142 @@
+"""What the engine's process gives as a Blender mesh."""
+
+from __future__ import annotations
+
+from typing import Any, Iterator
+
+import bpy
+import numpy as np
+
+from . import layers, weights
+
+WALL = "crack_wall"  # as the engine calls the material of side walls
+WALL_COLOUR = (0.02, 0.015, 0.01, 1.0)
+
+
+def _bare(name: str, arrays: dict[str, np.ndarray]) -> Any:
+    mesh = bpy.data.meshes.new(name)
+    mesh.vertices.add(len(arrays["co"]))
+    layers.put(mesh.vertices, "co", arrays["co"])
+    mesh.edges.add(len(arrays["edges"]))
+    layers.put(mesh.edges, "vertices", arrays["edges"])
+    mesh.loops.add(len(arrays["loop_vertex"]))
+    layers.put(mesh.loops, "vertex_index", arrays["loop_vertex"])
+    layers.put(mesh.loops, "edge_index", arrays["loop_edge"])
+    mesh.polygons.add(len(arrays["loop_start"]))
+    layers.put(mesh.polygons, "loop_start", arrays["loop_start"])
+    # From 3.6 on the starts say it.
+    if not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly:
+        layers.put(mesh.polygons, "loop_total", arrays["loop_total"])
+    return mesh
+
+
+def _wall_material() -> Any:
+    material = bpy.data.materials.get(WALL)
+    if material is None:
+        material = bpy.data.materials.new(WALL)
+        material.diffuse_color = WALL_COLOUR
+        material.use_nodes = True
+        shader = material.node_tree.nodes.get("Principled BSDF")
+        if shader is not None:
+            shader.inputs["Base Color"].default_value = WALL_COLOUR
+            shader.inputs["Roughness"].default_value = 1.0
+    return material
+
+
+def _materials(source: Any, mesh: Any, walls: np.ndarray) -> None:
+    for material in source.materials:
+        mesh.materials.append(material)
+    if walls.any():
+        if not len(mesh.materials):
+            mesh.materials.append(None)  # that of the surface
+        mesh.materials.append(_wall_material())
+
+
+def build(
+    source: Any, groups: list[np.ndarray], names: list[str], name: str, arrays: dict[str, np.ndarray]
+) -> Iterator[tuple[Any, list[str]] | None]:
+    """A mesh of what worker/runs.py opened, with all layers of the mesh `source` and the vertex
+    groups `groups` of these names. Yields None at each step, at last the mesh and the names of what
+    could not be carried."""
+    of = layers.maps(arrays)
+    walls = arrays["wall"]
+    mesh = _bare(name, arrays)
+    done = False
+    try:
+        yield None
+        _materials(source, mesh, walls)
+        lost = []
+        for missing in layers.carry(source, mesh, of):
+            lost += [missing] if missing else []
+            yield None
+        if walls.any():
+            index = layers.get(mesh.polygons, "material_index", np.int32)
+            index[walls] = len(mesh.materials) - 1
+            layers.put(mesh.polygons, "material_index", index)
+            smooth = layers.get(mesh.polygons, "use_smooth", bool)
+            smooth[walls] = False
+            layers.put(mesh.polygons, "use_smooth", smooth)
+        for key, values in arrays.items():
+            domain, _, attribute = key.partition(" ")
+            if attribute:
+                layers.set_attribute(mesh, attribute, domain.upper(), values)
+                yield None
+        layers.set_attribute(mesh, "source_face", "FACE", np.where(walls, -1, arrays["face_source"]))
+        yield None
+        mesh.update(calc_edges_loose=True)
+        yield None
+        _normals(source, mesh, of["CORNER"], walls)
+        for key in source.keys():
+            mesh[key] = source[key]
+        double = bpy.data.objects.new(name, mesh)  # groups and keys are made through an object
+        try:
+            yield from weights.write_groups(double, names, weights.mixed_groups(groups, of["POINT"]))
+            yield from weights.carry_keys(source, double, of["POINT"], arrays["co"])
+        finally:
+            bpy.data.objects.remove(double)
+        done = True
+    finally:
+        if not done:
+            bpy.data.meshes.remove(mesh)
+    yield mesh, lost
+
+
+def _normals(source: Any, mesh: Any, of: layers.Maps, walls: np.ndarray) -> None:
+    if hasattr(source, "use_auto_smooth"):  # before 4.1
+        mesh.use_auto_smooth = source.use_auto_smooth
+        mesh.auto_smooth_angle = source.auto_smooth_angle
+    known = layers.custom_normals(source)
+    if known is not None:
+        normals = of.mixed(known)
+        normals[np.repeat(walls, layers.get(mesh.polygons, "loop_total", np.int32))] = 0
+        layers.set_custom_normals(mesh, normals)
+
+
+def copy_part(
+    source: Any, groups: list[np.ndarray], names: list[str], name: str, arrays: dict[str, np.ndarray]
+) -> Iterator[Any]:
+    """A part of a cracked mesh, elements *_of, with all its layers; yields None at each step, at
+    last the mesh."""
+    of = {
+        domain: layers.Maps(arrays[key][:, None], np.ones((len(arrays[key]), 1)))
+        for domain, key in (
+            ("POINT", "vertex_of"),
+            ("EDGE", "edge_of"),
+            ("CORNER", "loop_of"),
+            ("FACE", "face_of"),
+        )
+    }
+    mesh = _bare(name, arrays)
+    for material in source.materials:
+        mesh.materials.append(material)
+    for _ in layers.carry(source, mesh, of):
+        yield None
+    mesh.update(calc_edges_loose=True)
+    _normals(source, mesh, of["CORNER"], np.zeros(len(arrays["loop_start"]), bool))
+    double = bpy.data.objects.new(name, mesh)
+    try:
+        yield from weights.write_groups(double, names, weights.mixed_groups(groups, of["POINT"]))
+        yield from weights.carry_keys(source, double, of["POINT"], arrays["co"])
+    finally:
+        bpy.data.objects.remove(double)
+    yield mesh

@@ -1,0 +1,21 @@
+"""The operators, bpy.ops.craze.*: a file each."""
+
+from __future__ import annotations
+
+import bpy
+
+from . import crack, curves, grow, panel_tools, pieces, recipe, stats
+
+MODULES = (crack, pieces, grow, curves, stats, recipe, panel_tools)
+
+
+def register() -> None:
+    for module in MODULES:
+        for cls in module.CLASSES:
+            bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for module in reversed(MODULES):
+        for cls in reversed(module.CLASSES):
+            bpy.utils.unregister_class(cls)

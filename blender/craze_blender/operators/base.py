@@ -1,0 +1,97 @@
+"""An operator whose work takes a while: modal when a user starts it, blocking when a script does."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import bpy
+
+from .. import process
+from ..work import Steps, Work
+
+INTERVAL = 0.02  # seconds between looks
+SHOWN = 0.2  # seconds from one state that is shown to the next
+SLICE = 0.012  # seconds of work in Blender at a look
+
+
+class EngineOperator:
+    """Mixed into bpy.types.Operator. No redo panel: what it changes would run in the main thread."""
+
+    bl_options = {"UNDO"}
+    _work: Work
+    _timer: Any = None
+    _shown = 0.0
+
+    def steps(self, context: Any) -> Steps:
+        """The work. The last step changes the scene and returns a sentence about it."""
+        raise NotImplementedError
+
+    def execute(self, context: Any) -> set[str]:
+        work = Work(process.engine(), self.steps(context))
+        work.finish()
+        return self._end(work)
+
+    def invoke(self, context: Any, _: Any) -> set[str]:
+        if bpy.app.background:
+            return self.execute(context)
+        self._work = Work(process.engine(), self.steps(context))
+        manager = context.window_manager
+        self._timer = manager.event_timer_add(INTERVAL, window=context.window)
+        manager.progress_begin(0, 100)
+        manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context: Any, event: Any) -> set[str]:
+        if event.type == "ESC" and event.value == "PRESS":
+            self._work.cancel()
+        elif event.type == "TIMER":
+            self._work.advance(SLICE)
+            self._show(context)
+        if self._work.state == "running":
+            return {"RUNNING_MODAL"} if event.type == "ESC" else {"PASS_THROUGH"}
+        self._hide(context)
+        return self._end(self._work)
+
+    def cancel(self, context: Any) -> None:
+        """Blender closes or reads another file."""
+        self._work.cancel()
+        self._hide(context)
+
+    def _end(self, work: Work) -> set[str]:
+        if work.state == "done":
+            if work.result:
+                self.report({"INFO"}, work.result)  # type: ignore[attr-defined]
+            return {"FINISHED"}
+        if work.state == "failed":
+            self.report({"ERROR"}, f"craze: {work.error}")  # type: ignore[attr-defined]
+        return {"CANCELLED"}
+
+    def _show(self, context: Any) -> None:
+        """Says how far it is, now and then: each time the window is drawn anew."""
+        if time.monotonic() - self._shown < SHOWN:
+            return
+        self._shown = time.monotonic()
+        doing, fraction = self._work.says()
+        text = f"craze: {doing}" + ("" if fraction is None else f", {fraction:.0%}")
+        context.workspace.status_text_set(f"{text}   (Esc: stop)")
+        if context.area is not None:
+            context.area.header_text_set(text)
+        context.window_manager.progress_update(100 * (fraction or 0.0))
+
+    def _hide(self, context: Any) -> None:
+        context.workspace.status_text_set(None)
+        if context.area is not None:
+            context.area.header_text_set(None)
+        context.window_manager.progress_end()
+        context.window_manager.event_timer_remove(self._timer)
+
+
+class OfCracked(EngineOperator):
+    """One that needs a cracked object."""
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        from ..cracked import is_cracked
+
+        return is_cracked(context.active_object) and context.mode == "OBJECT"

@@ -1,0 +1,95 @@
+"""bpy.ops.craze.curves(): the cracks as a curve object."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import bpy
+import numpy as np
+
+from .. import cracked, process, runs
+from ..work import Steps
+from .base import OfCracked
+
+
+def chains(edges: np.ndarray, event: np.ndarray) -> list[tuple[list[int], list[int]]]:
+    """(points, edges) of the lines that edges (e, 2) make, each from one end of a crack, `event`
+    (e,), to the other, or around, in the order of the edges."""
+    at: dict[tuple[int, int], list[int]] = {}
+    for i, (a, b) in enumerate(edges.tolist()):
+        number = int(event[i])
+        at.setdefault((number, a), []).append(i)
+        at.setdefault((number, b), []).append(i)
+    used = np.zeros(len(edges), bool)
+
+    def walk(edge: int, point: int) -> tuple[list[int], list[int]]:
+        points, along, number = [point], [], int(event[edge])
+        while True:
+            used[edge] = True
+            along.append(edge)
+            a, b = edges[edge].tolist()
+            point = b if point == a else a
+            points.append(point)
+            here = at[number, point]
+            more = [i for i in here if not used[i]]
+            if len(here) != 2 or not more:
+                return points, along
+            edge = more[0]
+
+    made = []
+    for closed in (False, True):  # what is left after the open lines goes around
+        for i, (a, b) in enumerate(edges.tolist()):
+            number = int(event[i])
+            for point in (a, b):
+                if not used[i] and (closed or len(at[number, point]) != 2):
+                    made.append(walk(i, point))
+    return made
+
+
+def radii(points: list[int], along: list[int], width: np.ndarray) -> np.ndarray:
+    """(n,) half the width at each point of a line: the mean of the edges beside it."""
+    w = width[along]
+    return np.concatenate([w[:1], (w[1:] + w[:-1]) / 2, w[-1:]])[: len(points)] / 2
+
+
+class CRAZE_OT_curves(OfCracked, bpy.types.Operator):
+    """Makes a curve object of the cracks: a line each, its radius half the crack's width"""
+
+    bl_idname = "craze.curves"
+    bl_label = "Curves"
+
+    def steps(self, context: Any) -> Steps:
+        thing = context.active_object
+        arrays = yield from runs.lines(process.engine(), cracked.order_of(thing))
+        curve = bpy.data.curves.new(f"{thing.name} lines", "CURVE")
+        done = False
+        try:
+            curve.dimensions = "3D"
+            curve.bevel_depth = 1.0  # so that the radius is that of the tube
+            for number, (points, along) in enumerate(chains(arrays["edges"], arrays["event"])):
+                spline = curve.splines.new("POLY")
+                spline.points.add(len(points) - 1)
+                places = np.ones((len(points), 4), np.float32)
+                places[:, :3] = arrays["points"][points]
+                spline.points.foreach_set("co", places.reshape(-1))
+                spline.points.foreach_set(
+                    "radius", radii(points, along, arrays["width"]).astype(np.float32)
+                )
+                if number % 200 == 199:
+                    yield
+            done = True
+        finally:
+            if not done:
+                bpy.data.curves.remove(curve)
+        new = bpy.data.objects.new(curve.name, curve)
+        for collection in thing.users_collection:
+            collection.objects.link(new)
+        new.matrix_world = thing.matrix_world
+        for other in context.selected_objects:
+            other.select_set(False)
+        new.select_set(True)
+        context.view_layer.objects.active = new
+        return f"{len(curve.splines)} lines"
+
+
+CLASSES = [CRAZE_OT_curves]

@@ -1,0 +1,88 @@
+"""Small operators of the panel: a dice, impacts, where it cracks."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+import bpy
+
+PAINTED = "Cracks"  # the vertex group that is painted
+
+
+class CRAZE_OT_dice(bpy.types.Operator):
+    """Another seed"""
+
+    bl_idname = "craze.dice"
+    bl_label = "New Seed"
+    bl_options = {"UNDO"}
+
+    def execute(self, context: Any) -> set[str]:
+        context.scene.craze.keys.seed = random.randrange(1, 100000)
+        return {"FINISHED"}
+
+
+class CRAZE_OT_impact(bpy.types.Operator):
+    """Adds an impact at the 3D cursor"""
+
+    bl_idname = "craze.impact"
+    bl_label = "Impact at 3D Cursor"
+    bl_options = {"UNDO"}
+
+    def execute(self, context: Any) -> set[str]:
+        context.scene.craze.keys.impact.add().point = context.scene.cursor.location
+        return {"FINISHED"}
+
+
+class CRAZE_OT_impact_remove(bpy.types.Operator):
+    """Removes an impact"""
+
+    bl_idname = "craze.impact_remove"
+    bl_label = "Remove Impact"
+    bl_options = {"UNDO"}
+
+    index: bpy.props.IntProperty()
+
+    def execute(self, context: Any) -> set[str]:
+        context.scene.craze.keys.impact.remove(self.index)
+        return {"FINISHED"}
+
+
+class CRAZE_OT_paint(bpy.types.Operator):
+    """Makes a vertex group, 1 everywhere or on the selected faces alone, has the recipe multiply
+    the spacing by it (0: no crack), and starts weight paint"""
+
+    bl_idname = "craze.paint"
+    bl_label = "Paint Where"
+    bl_options = {"UNDO"}
+
+    selected: bpy.props.BoolProperty(
+        name="Selected faces", description="1 on the selected faces, 0 elsewhere; no painting"
+    )
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        thing = context.active_object
+        return thing is not None and thing.type == "MESH" and context.mode == "OBJECT"
+
+    def execute(self, context: Any) -> set[str]:
+        thing = context.active_object
+        group = thing.vertex_groups.get(PAINTED)
+        new = group is None
+        if new:
+            group = thing.vertex_groups.new(name=PAINTED)
+        everywhere = list(range(len(thing.data.vertices)))
+        if self.selected:
+            group.add(everywhere, 0.0, "REPLACE")
+            chosen = {v for p in thing.data.polygons if p.select for v in p.vertices}
+            group.add(sorted(chosen), 1.0, "REPLACE")
+        elif new:
+            group.add(everywhere, 1.0, "REPLACE")
+        thing.vertex_groups.active = group
+        context.scene.craze.keys.layer_attribute = PAINTED
+        if not self.selected and not bpy.app.background:
+            bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
+        return {"FINISHED"}
+
+
+CLASSES = [CRAZE_OT_dice, CRAZE_OT_impact, CRAZE_OT_impact_remove, CRAZE_OT_paint]

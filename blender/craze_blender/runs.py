@@ -1,0 +1,158 @@
+"""Runs of the engine on Blender's objects, as work in steps."""
+
+from __future__ import annotations
+
+import json
+import uuid
+from dataclasses import dataclass, field
+from typing import Any
+
+import bpy
+import numpy as np
+
+from . import mesh_in, mesh_out, weights
+from .process import Engine, arrays_in
+from .work import Problem, Steps, asked
+
+POST = ("gap", "wall", "curl")  # what an opening takes; other keys crack anew
+
+
+def new_run() -> str:
+    """A name for a run that no other has."""
+    return uuid.uuid4().hex
+
+
+@dataclass
+class Order:
+    """What is to be cracked, and how. `mesh` is a snapshot (mesh_in.py), `groups` the names of the
+    object's vertex groups."""
+
+    mesh: Any
+    groups: list[str]
+    stretch: np.ndarray
+    recipe: Any  # as craze.crack takes it; the text of one where `is_text`
+    is_text: bool = False
+    settings: dict[str, Any] = field(default_factory=dict)
+    run: str = field(default_factory=new_run)
+
+
+@dataclass
+class Made:
+    """A cracked mesh. `report` is {} where nothing was cracked anew; `grown` (t, n, 3) where it was
+    asked for."""
+
+    mesh: Any
+    run: str
+    report: dict[str, Any]
+    warnings: list[str]
+    grown: np.ndarray | None = None
+
+
+def crack(engine: Engine, order: Order, name: str) -> Steps:
+    """Made of cracking: the mesh is called `name` and opened as the recipe says."""
+    if not len(order.mesh.polygons):
+        raise Problem("the object has no faces to crack")
+    arrays: dict[str, np.ndarray] = {}
+    for key, values in mesh_in.arrays_of(order.mesh, order.stretch):
+        arrays[key] = values
+        yield
+    read = yield from _groups(order)
+    names = _named_by(order, arrays, dict(zip(order.groups, read)))
+    yield
+    reply = yield from asked(
+        engine.send(
+            "crack", arrays, run=order.run, names=names, recipe=order.recipe,
+            is_text=order.is_text, settings=order.settings, post={},
+        )
+    )  # fmt: skip
+    return (yield from _build(order, name, read, reply))
+
+
+def open_again(engine: Engine, order: Order, name: str, post: dict[str, float]) -> Steps:
+    """Made of a run with its cracks open otherwise; cracked anew where the engine has lost it."""
+    reply = yield from _of_run(engine, order, "open", post=post)
+    return (yield from _build(order, name, (yield from _groups(order)), reply))
+
+
+def grow(
+    engine: Engine, order: Order, name: str, times: list[float], post: dict[str, float]
+) -> Steps:
+    """As open_again(), with positions at times of the growth."""
+    reply = yield from _of_run(engine, order, "grow", times=times, post=post)
+    return (yield from _build(order, name, (yield from _groups(order)), reply))
+
+
+def lines(engine: Engine, order: Order) -> Steps:
+    """The arrays of the cracks as lines."""
+    return arrays_in((yield from _of_run(engine, order, "lines")))
+
+
+def _of_run(engine: Engine, order: Order, do: str, **fields: Any) -> Steps:
+    """The reply to what is asked of a run, which is made anew where the engine has lost it."""
+    reply = yield from asked(engine.send(do, run=order.run, **fields))
+    if reply.get("lost"):
+        made = yield from crack(engine, order, "lost")
+        bpy.data.meshes.remove(made.mesh)
+        reply = yield from asked(engine.send(do, run=order.run, **fields))
+    return reply
+
+
+def _groups(order: Order) -> Steps:
+    read: list[np.ndarray] = []
+    for step in weights.read_groups(order.mesh, len(order.groups)):
+        if step is None:
+            yield
+        else:
+            read = step
+    return read
+
+
+def _build(order: Order, name: str, read: list[np.ndarray], reply: dict[str, Any]) -> Steps:
+    arrays = arrays_in(reply)
+    grown = arrays.pop("grown", None)
+    yield
+    warnings = list(reply["warnings"])
+    for step in mesh_out.build(order.mesh, read, order.groups, name, arrays):
+        if step is None:
+            yield
+        else:
+            mesh, lost = step
+    if lost:
+        warnings.append("not carried over: " + ", ".join(lost))
+    return Made(mesh, order.run, reply.get("report", {}), warnings, grown)
+
+
+def _named_by(
+    order: Order, arrays: dict[str, np.ndarray], groups: dict[str, np.ndarray]
+) -> dict[str, Any]:
+    """Adds the attributes and pictures that the recipe names."""
+    text = order.recipe if isinstance(order.recipe, str) else _json(order.recipe)
+    if isinstance(order.recipe, str) and order.recipe.endswith((".toml", ".json")):
+        try:
+            with open(order.recipe, encoding="utf-8") as file:
+                text = file.read()
+        except (OSError, ValueError):
+            pass  # the engine says it
+    text += _json(order.settings)
+
+    def named(name: str) -> bool:
+        return f'"{name}"' in text or f"'{name}'" in text
+
+    attributes = []
+    for name in dict.fromkeys([*groups, *(a.name for a in order.mesh.attributes)]):
+        values = mesh_in.attribute(order.mesh, groups, name) if named(name) else None
+        if values is not None:
+            arrays["attribute " + name] = values
+            attributes.append(name)
+    pictures = [image for image in bpy.data.images if named(image.name)]
+    for image in pictures:
+        arrays["picture " + image.name] = mesh_in.picture(image)
+    return {
+        "attributes": attributes,
+        "materials": mesh_in.material_names(order.mesh),
+        "pictures": [image.name for image in pictures],
+    }
+
+
+def _json(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False)

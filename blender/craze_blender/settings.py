@@ -1,0 +1,265 @@
+"""What the panel sets: a property per key of the table, kept in the scene; and what a cracked
+object knows of how it came to be."""
+
+from __future__ import annotations
+
+import copy
+import json
+from typing import Any, Callable
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+from . import table
+from .runs import POST
+
+LARGEST = 2**31 - 1  # of Blender's whole numbers
+GAP = 0.1  # of a new scene: presets leave cracks shut, and those are not seen in a viewport
+
+
+def _first(row: dict[str, Any]) -> Any:
+    """What a new scene's panel shows for a key."""
+    if row["key"] == "post.gap":
+        return GAP
+    known = None if row["repeated"] else table.value_in(table.PRESETS[table.FIRST_PRESET], row["key"])
+    return row["default"] if known is None else known
+
+
+def _annotation(row: dict[str, Any], update: Any) -> Any:
+    """The property of a key: type, range, default and help are the table's."""
+    common: dict[str, Any] = {
+        "name": row["name"].replace("_", " ").capitalize(),
+        "description": row["help"],
+        "update": update,
+    }
+    kind, default = row["type"], _first(row)
+    limits = {}
+    if row.get("minimum") is not None:
+        limits["min"] = row["minimum"]
+    if row.get("maximum") is not None:
+        limits["max"] = row["maximum"]
+    if kind == "boolean":
+        return bpy.props.BoolProperty(default=default, **common)
+    if kind == "choice":
+        items = [(c, c.replace("-", " ").capitalize(), "") for c in row["choices"]]
+        return bpy.props.EnumProperty(items=items, default=default, **common)
+    if kind == "integer":
+        whole = {k: int(min(v, LARGEST)) for k, v in limits.items()}
+        return bpy.props.IntProperty(default=int(default), **whole, **common)
+    if kind in {"real", "length"} and isinstance(default, (int, float)):
+        if row["unit"] == "length":
+            common.update(subtype="DISTANCE", unit="LENGTH")
+        return bpy.props.FloatProperty(default=default, precision=3, **limits, **common)
+    if kind in {"vec3", "tensor6"}:
+        if kind == "vec3" and row["unit"] == "length":
+            common.update(subtype="XYZ", unit="LENGTH")
+        size = len(default)
+        return bpy.props.FloatVectorProperty(default=default, size=size, **limits, **common)
+    return bpy.props.StringProperty(default=_to_property(row, default), **common)
+
+
+def _from_property(row: dict[str, Any], value: Any) -> Any:
+    """A property's value as a recipe has it."""
+    kind = row["type"]
+    if kind in {"boolean", "choice", "integer"}:
+        return value
+    if isinstance(value, float):
+        return table.as_typed(value)
+    if not isinstance(value, str):
+        return [table.as_typed(x) for x in value]
+    if kind == "string":
+        return value
+    try:
+        return json.loads(value)  # "0.02", "[\"paint*\"]"
+    except ValueError:
+        return value  # "auto"
+
+
+def _to_property(row: dict[str, Any], value: Any) -> Any:
+    kind = row["type"]
+    if kind == "integer":
+        return int(min(value, LARGEST))
+    if kind in {"boolean", "choice", "string", "vec3", "tensor6"}:
+        return value
+    if kind in {"real", "length"} and isinstance(row["default"], (int, float)):
+        return value
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def _same(row: dict[str, Any], held: Any, value: Any) -> bool:
+    """A property holds a value, as well as it can."""
+    as_held = _to_property(row, value)
+    if isinstance(held, str) or isinstance(as_held, str):
+        return bool(held == as_held)
+    return bool((np.float32(held) == np.float32(as_held)).all())
+
+
+def to_engine(matrix: Any, stretch: np.ndarray) -> Callable[[Any], list[float]]:
+    """From places in the scene to those of the shape that is cracked (mesh_in.stretch_of)."""
+    back = matrix.inverted_safe()
+
+    def place(point: Any) -> list[float]:
+        return [float(x) for x in np.array(back @ Vector(point)) @ stretch]
+
+    return place
+
+
+def recipe_of(settings: Any, place: Callable[[Any], list[float]]) -> dict[str, Any]:
+    """The panel's recipe: the preset's own numbers where nothing was changed, so that the same
+    bytes come out as from the command. Points of impacts are in the scene; `place` moves them."""
+    recipe = copy.deepcopy(table.PRESETS[settings.preset])
+    for row in table.single():
+        held = getattr(settings.keys, table.property_name(row["key"]))
+        value = table.value_in(recipe, row["key"])
+        if value is None or not _same(row, held, value):
+            table.put(recipe, row["key"], _from_property(row, held))
+    for section, rows in table.repeated().items():
+        entries = getattr(settings.keys, section)
+        old = recipe.get(section, [])
+        recipe[section] = [
+            _entry(rows, entry, old[i] if i < len(old) else {}, place)
+            for i, entry in enumerate(entries)
+        ]
+    return recipe
+
+
+def _entry(rows: list[dict[str, Any]], entry: Any, old: dict[str, Any], place: Any) -> dict[str, Any]:
+    made = {}
+    for row in rows:
+        held, known = getattr(entry, row["name"]), old.get(row["name"])
+        same = known is not None and _same(row, held, known)
+        made[row["name"]] = known if same else _from_property(row, held)
+        if row["name"] == "point":
+            made["point"] = place(made["point"])
+    return made
+
+
+def show(settings: Any, recipe: dict[str, Any]) -> None:
+    """Puts a recipe into the panel."""
+    for row in table.single():
+        value = table.value_in(recipe, row["key"])
+        value = row["default"] if value is None else value
+        setattr(settings.keys, table.property_name(row["key"]), _to_property(row, value))
+    for section, rows in table.repeated().items():
+        entries = getattr(settings.keys, section)
+        entries.clear()
+        for known in recipe.get(section, []):
+            entry = entries.add()
+            for row in rows:
+                if row["name"] in known:
+                    setattr(entry, row["name"], _to_property(row, known[row["name"]]))
+
+
+def _preset_changed(settings: Any, _: Any) -> None:
+    kept = {name: getattr(settings.keys, name) for name in ("post_gap", "post_wall", "post_curl")}
+    kept["seed"] = settings.keys.seed
+    show(settings, table.PRESETS[settings.preset])
+    for name, value in kept.items():
+        setattr(settings.keys, name, value)
+
+
+def _key_changed(row: dict[str, Any]) -> Any:
+    post = row["key"] in {f"post.{name}" for name in POST}
+
+    def update(_: Any, context: Any) -> None:
+        from . import live
+
+        live.wanted(context, "open" if post else "crack")
+
+    return update
+
+
+def _group(name: str, rows: list[tuple[str, dict[str, Any]]], more: dict[str, Any]) -> Any:
+    annotations = {
+        prop: _annotation(row, _key_changed(row)) for prop, row in rows
+    }
+    return type(name, (bpy.types.PropertyGroup,), {"__annotations__": {**annotations, **more}})
+
+
+_SECTIONS = {
+    section: _group(
+        f"Craze{section.capitalize()}", [(row["name"], row) for row in rows], {}
+    )
+    for section, rows in table.repeated().items()
+}
+CrazeKeys = _group(
+    "CrazeKeys",
+    [(table.property_name(row["key"]), row) for row in table.single()],
+    {s: bpy.props.CollectionProperty(type=group) for s, group in _SECTIONS.items()},
+)
+
+
+def _preset_items() -> list[tuple[str, str, str]]:
+    return [
+        (name, name.replace("-", " ").capitalize(), table.DESCRIPTIONS.get(name, ""))
+        for name in table.PRESETS
+    ]
+
+
+class CrazeSettings(bpy.types.PropertyGroup):
+    """The panel's settings, of a scene."""
+
+    preset: bpy.props.EnumProperty(
+        name="Preset",
+        description="What cracks: all keys of a recipe at once",
+        items=_preset_items(),
+        default=table.FIRST_PRESET,
+        update=_preset_changed,
+    )
+    keys: bpy.props.PointerProperty(type=CrazeKeys)
+    in_place: bpy.props.BoolProperty(
+        name="In place",
+        description="The object itself is cracked; otherwise a new one beside it, which is hidden",
+    )
+    live: bpy.props.BoolProperty(
+        name="Update",
+        description="A cracked object follows the sliders: gap, wall and curl at once, the rest in "
+        "the background",
+        default=True,
+    )
+    search: bpy.props.StringProperty(
+        name="Search", description="Shows the keys that have this in their name or help"
+    )
+    thickness: bpy.props.FloatProperty(
+        name="Thickness",
+        description="How thick pieces are",
+        subtype="DISTANCE",
+        unit="LENGTH",
+        min=0.0,
+        default=0.02,
+    )
+    frames: bpy.props.IntProperty(
+        name="Frames", description="How long the growth takes", min=2, default=100
+    )
+
+
+class CrazeObject(bpy.types.PropertyGroup):
+    """How a cracked object came to be; empty for others."""
+
+    mesh: bpy.props.PointerProperty(
+        type=bpy.types.Mesh, description="The mesh that was cracked, modifiers applied"
+    )
+    recipe: bpy.props.StringProperty(description="The whole recipe, JSON")
+    run: bpy.props.StringProperty(description="By which the engine knows the run")
+    stretch: bpy.props.StringProperty(
+        description="From the object's axes to the shape that was cracked, 3 × 3, JSON"
+    )
+    report: bpy.props.StringProperty(description="The report of the run, JSON")
+
+
+CLASSES = [*_SECTIONS.values(), CrazeKeys, CrazeSettings, CrazeObject]
+
+
+def register() -> None:
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.Scene.craze = bpy.props.PointerProperty(type=CrazeSettings)
+    bpy.types.Object.craze = bpy.props.PointerProperty(type=CrazeObject)
+
+
+def unregister() -> None:
+    del bpy.types.Object.craze
+    del bpy.types.Scene.craze
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

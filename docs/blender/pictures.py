@@ -1,0 +1,91 @@
+"""The screenshots of docs/blender.md, in a window: blender --python pictures.py -- FOLDER"""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import scenes  # noqa: E402
+
+FOLDER = Path(sys.argv[sys.argv.index("--") + 1])
+bpy.context.preferences.view.show_splash = False
+
+
+def view():
+    window = bpy.context.window_manager.windows[0]
+    area = next(a for a in window.screen.areas if a.type == "VIEW_3D")
+    region = next(r for r in area.regions if r.type == "WINDOW")
+    return {"window": window, "area": area, "region": region}
+
+
+def open_panel():
+    """The sidebar, and in it the tab "Craze", by a click on it."""
+    of = view()
+    area = of["area"]
+    area.spaces[0].show_region_ui = True
+    sidebar = next(r for r in area.regions if r.type == "UI")
+    x, y = sidebar.x + sidebar.width - 10, sidebar.y + sidebar.height - TAB
+    for value in ("PRESS", "RELEASE"):
+        of["window"].event_simulate(type="LEFTMOUSE", value=value, x=x, y=y)
+
+
+TAB = 160  # pixels from the top of the sidebar to the fourth tab
+
+
+def look(yaw, pitch, distance, target=(0, 0, 0)):
+    import mathutils
+
+    of = view()
+    space = of["area"].spaces[0].region_3d
+    space.view_perspective = "PERSP"
+    space.view_rotation = mathutils.Euler((pitch, 0, yaw)).to_quaternion()
+    space.view_distance, space.view_location = distance, target
+    shading = of["area"].spaces[0].shading
+    shading.type, shading.color_type = "SOLID", "MATERIAL"
+    shading.show_cavity = True
+    of["area"].spaces[0].overlay.show_floor = False
+    of["area"].spaces[0].overlay.show_axis_x = of["area"].spaces[0].overlay.show_axis_y = False
+
+
+def shot(name):
+    with bpy.context.temp_override(**view()):
+        bpy.ops.screen.screenshot(filepath=str(FOLDER / f"{name}.png"))
+
+
+def steps():
+    yield 1.0
+    open_panel()
+    yield 1.0
+    for name, (yaw, pitch, distance, target) in {
+        "mud": (0.5, 0.9, 3.2, (0, 0, 0)),
+        "vase": (0.5, 1.2, 2.6, (0, 0, 0.55)),
+        "glass": (0.3, 0.8, 3.0, (0, 0, 0)),
+    }.items():
+        scenes.empty()
+        with bpy.context.temp_override(**view()):
+            scenes.SCENES[name]()
+            bpy.ops.object.select_all(action="DESELECT")
+        look(yaw, pitch, distance, target)
+        yield 1.0
+        shot(name)
+        yield 0.5
+
+
+running = steps()
+
+
+def step():
+    try:
+        return next(running)
+    except StopIteration:
+        os._exit(0)
+    except BaseException:
+        import traceback
+
+        traceback.print_exc()
+        os._exit(3)
+
+
+bpy.app.timers.register(step, first_interval=1.0)

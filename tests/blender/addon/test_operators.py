@@ -1,0 +1,265 @@
+"""Each operator, without a window."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import bmesh
+import bpy
+import meshes
+import numpy as np
+
+from craze_blender import mesh_in, process, table
+from craze_blender.operators import curves
+
+COMMAND = os.environ.get("CRAZE_COMMAND", "")
+RECIPE = """
+mesh.edge = "keep"
+material = { criterion = "strength", scatter = 0.15 }
+layer.relative_spacing = 0.12
+evolution.max_load = 2.0
+"""
+OPEN = RECIPE + "post = { gap = 0.1, wall = 0.05 }\n"
+
+
+def places(mesh):
+    co = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", co)
+    return co.reshape(-1, 3)
+
+
+class Operators(unittest.TestCase):
+    def setUp(self):
+        meshes.empty()
+
+    def crack(self, thing, **said):
+        meshes.activate(thing)
+        self.assertEqual(bpy.ops.craze.crack(**{"recipe": RECIPE, **said}), {"FINISHED"})
+        return bpy.context.active_object
+
+    def test_crack_makes_an_object_beside_and_hides_the_other(self):
+        thing = meshes.link(meshes.grid(12))
+        shape = places(thing.data).tobytes()
+        new = self.crack(thing)
+        self.assertIsNot(new, thing)
+        self.assertEqual(new.users_collection, thing.users_collection)
+        self.assertTrue(thing.hide_get() and thing.hide_render)
+        self.assertEqual(places(thing.data).tobytes(), shape)
+
+    def test_crack_in_place_keeps_the_object_and_what_it_was(self):
+        thing = meshes.link(meshes.grid(12))
+        shape = places(thing.data).tobytes()
+        self.assertIs(self.crack(thing, in_place=True), thing)
+        self.assertGreater(len(thing.data.vertices), len(thing.craze.mesh.vertices))
+        self.assertEqual(places(thing.craze.mesh).tobytes(), shape)
+        # Again: from what it was, not from the cracked mesh.
+        first = places(thing.data).tobytes()
+        self.crack(thing, seed=99)
+        self.assertNotEqual(places(thing.data).tobytes(), first)
+        self.crack(thing)
+        self.assertEqual(places(thing.data).tobytes(), first)
+
+    def test_scale_counts_and_the_rest_of_the_matrix_does_not(self):
+        """A turned, moved or mirrored object cracks as one that is not; a stretched one as the
+        mesh that it looks like."""
+        plain = places(self.crack(meshes.link(meshes.grid(12))).data)
+        for rotation, location, scale in (
+            ((0.3, 0.7, -2.0), (5, 6, 7), (1, 1, 1)),
+            ((1.0, 0.0, 0.4), (0, 0, 0), (-1, 1, 1)),
+        ):
+            thing = meshes.link(meshes.grid(12))
+            thing.rotation_euler, thing.location, thing.scale = rotation, location, scale
+            bpy.context.view_layer.update()
+            np.testing.assert_array_equal(places(self.crack(thing).data), plain)
+        thing = meshes.link(meshes.grid(12))
+        thing.scale = (2, 1, 1)
+        bpy.context.view_layer.update()
+        stretched = places(self.crack(thing).data)
+        mesh = meshes.grid(12)
+        for vertex in mesh.vertices:
+            vertex.co.x *= 2
+        looks = places(self.crack(meshes.link(mesh)).data)
+        np.testing.assert_allclose(stretched * (2, 1, 1), looks, atol=1e-6)
+
+    def test_the_stretch_of_a_sheared_matrix_is_its_symmetric_part(self):
+        from mathutils import Matrix
+
+        matrix = Matrix(((1, 0.5, 0, 3), (0, 1, 0, 0), (0, 0, -2, 0), (0, 0, 0, 1)))
+        stretch = mesh_in.stretch_of(matrix)
+        linear = np.array(matrix.to_3x3())
+        np.testing.assert_array_equal(stretch, stretch.T)
+        np.testing.assert_allclose(stretch @ stretch, linear.T @ linear, atol=1e-4)
+        self.assertGreater(np.linalg.eigvalsh(stretch).min(), 0)
+
+    def test_a_group_keeps_cracks_away(self):
+        thing = meshes.link(meshes.grid(24))
+        group = thing.vertex_groups.new(name="where")
+        for vertex in thing.data.vertices:
+            group.add([vertex.index], 1.0 if vertex.co.x > 0 else 0.0, "REPLACE")
+        new = self.crack(thing, recipe=RECIPE + 'layer.attribute = "where"\n')
+        opened = [v.co.x for v in new.data.vertices if _on_a_crack(new.data, v.index)]
+        self.assertTrue(opened)
+        self.assertGreater(min(opened), -0.1)
+
+    def test_pieces_are_the_fragments_with_their_layers_and_origins(self):
+        thing = meshes.link(meshes.grid(14))
+        meshes.dress(thing, 4)
+        new = self.crack(thing)
+        fragments = {d.value for d in new.data.attributes["fragment"].data}
+        area = sum(p.area for p in new.data.polygons)
+        self.assertEqual(bpy.ops.craze.pieces(thickness=0.1), {"FINISHED"})
+        pieces = [o for o in bpy.data.objects if " fragment " in o.name]
+        self.assertEqual(len(pieces), len(fragments))
+        self.assertGreater(len(pieces), 3)
+        self.assertAlmostEqual(sum(p.area for o in pieces for p in o.data.polygons), area, 4)
+        for piece in pieces:
+            self.assertFalse(piece.data.validate())
+            self.assertEqual({u.name for u in piece.data.uv_layers},
+                             {u.name for u in new.data.uv_layers})  # fmt: skip
+            self.assertEqual([g.name for g in piece.vertex_groups],
+                             [g.name for g in new.vertex_groups])  # fmt: skip
+            self.assertIsNotNone(piece.rigid_body)
+            co = places(piece.data)
+            self.assertTrue((co.min(axis=0) <= 1e-6).all() and (co.max(axis=0) >= -1e-6).all())
+            solid = piece.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh()
+            shape = bmesh.new()
+            shape.from_mesh(solid)
+            self.assertTrue(all(e.is_manifold for e in shape.edges), piece.name)
+            shape.free()
+        here = np.concatenate([places(o.data) + np.array(o.matrix_world.translation)
+                               for o in pieces])  # fmt: skip
+        whole = {tuple(np.round(p, 4)) for p in places(new.data).tolist()}
+        self.assertEqual({tuple(np.round(p, 4)) for p in here.tolist()}, whole)
+
+    def test_growth_goes_from_no_crack_to_all_of_them(self):
+        new = self.crack(meshes.link(meshes.grid(12)), recipe=OPEN)
+        finished = places(new.data)
+        bpy.context.scene.frame_set(11)
+        self.assertEqual(bpy.ops.craze.grow(frames=10), {"FINISHED"})
+        scene = bpy.context.scene
+
+        def at(frame):
+            scene.frame_set(frame)
+            graph = bpy.context.evaluated_depsgraph_get()
+            return places(new.evaluated_get(graph).to_mesh())
+
+        shut, half, end = at(11), at(16), at(21)
+        np.testing.assert_allclose(end, finished, atol=1e-6)
+        np.testing.assert_allclose(at(200), finished, atol=1e-6)
+        flat = places(new.craze.mesh)
+        rest = {tuple(np.round(p, 4)) for p in flat.tolist()}
+        self.assertLessEqual(rest, {tuple(np.round(p, 4)) for p in shut.tolist()})
+        self.assertGreater(np.abs(half - shut).max(), 0)
+        self.assertGreater(np.abs(half - end).max(), 0)
+        moved = [np.linalg.norm(at(f) - shut) for f in (11, 13, 15, 17, 19, 21)]
+        self.assertEqual(moved, sorted(moved))
+        growth = new.data.attributes["crack_growth"].data
+        self.assertTrue(all(-1 <= d.value <= 1 for d in growth))
+
+    def test_shut_cracks_do_not_grow(self):
+        self.crack(meshes.link(meshes.grid(12)))
+        with self.assertRaisesRegex(RuntimeError, "gap"):
+            bpy.ops.craze.grow(frames=10)
+
+    def test_curves_have_the_cracks_length_and_half_their_width(self):
+        new = self.crack(meshes.link(meshes.grid(12)))
+        report = json.loads(new.craze.report)
+        self.assertEqual(bpy.ops.craze.curves(), {"FINISHED"})
+        made = bpy.context.active_object
+        self.assertEqual(made.type, "CURVE")
+        length = 0.0
+        for spline in made.data.splines:
+            co = np.array([p.co[:3] for p in spline.points])
+            length += np.linalg.norm(np.diff(co, axis=0), axis=1).sum()
+            self.assertTrue(all(p.radius >= 0 for p in spline.points))
+        self.assertAlmostEqual(length, report["cracks"]["length"], places=3)
+        self.assertTrue(any(p.radius > 0 for s in made.data.splines for p in s.points))
+
+    def test_chains_use_each_edge_once(self):
+        edges = np.array([[0, 1], [1, 2], [3, 2], [5, 6], [6, 7], [7, 5], [2, 4]])
+        made = curves.chains(edges, np.array([0, 0, 0, 1, 1, 1, 2]))
+        self.assertEqual(made[0], ([0, 1, 2, 3], [0, 1, 2]))
+        self.assertEqual(sorted(e for _, along in made for e in along), list(range(7)))
+        self.assertEqual({len(p) for p, _ in made}, {4, 2})
+
+    def test_statistics_are_the_reports(self):
+        new = self.crack(meshes.link(meshes.grid(12)))
+        self.assertEqual(bpy.ops.craze.stats(), {"FINISHED"})
+        text = bpy.data.texts[f"{new.name} statistics"].as_string()
+        self.assertEqual(json.loads(text), json.loads(new.craze.report))
+
+    @unittest.skipUnless(COMMAND, "without the command")
+    def test_an_exported_recipe_is_one_for_the_command(self):
+        new = self.crack(meshes.link(meshes.grid(12)), recipe=OPEN, seed=11)
+        with tempfile.TemporaryDirectory() as folder:
+            path, out = Path(folder) / "r.toml", Path(folder) / "out.json"
+            self.assertEqual(bpy.ops.craze.export_recipe(filepath=str(path)), {"FINISHED"})
+            subprocess.run(
+                [COMMAND, "crack", "shape:plate?n=8", "--recipe", path, "--quiet",
+                 "-o", Path(folder) / "o.ply", "--report", out], check=True,
+            )  # fmt: skip
+            theirs = json.loads(out.read_text())["recipe"]
+        ours = json.loads(new.craze.recipe)
+        self.assertEqual(theirs["seed"], 11)
+        self.assertEqual(theirs["post"], ours["post"])
+        self.assertEqual(theirs["material"], ours["material"])
+
+    def test_a_saved_file_goes_on_where_it_was(self):
+        new = self.crack(meshes.link(meshes.grid(12)), recipe=OPEN)
+        name, shape = new.name, places(new.data).tobytes()
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(Path(folder) / "saved.blend")
+            bpy.ops.wm.save_as_mainfile(filepath=path)
+            process.stop()
+            bpy.ops.wm.open_mainfile(filepath=path)
+            new = bpy.data.objects[name]
+            self.assertEqual(places(new.data).tobytes(), shape)
+            self.assertIn("crack_distance", new.data.attributes)
+            meshes.activate(new)
+            self.assertEqual(bpy.ops.craze.grow(frames=4), {"FINISHED"})
+            self.assertEqual(places(new.data).tobytes(), shape)
+            self.assertEqual(bpy.ops.craze.pieces(), {"FINISHED"})
+
+    def test_an_impact_is_where_the_cursor_is(self):
+        thing = meshes.link(meshes.grid(24))
+        thing.location = (4, 0, 0)
+        bpy.context.view_layer.update()
+        panel = bpy.context.scene.craze
+        panel.preset = "glass-impact"
+        panel.keys.impact.clear()
+        bpy.context.scene.cursor.location = (4.5, 0.5, 0)
+        bpy.ops.craze.impact()
+        panel.keys.seed, panel.keys.post_gap = 1, 0.0
+        meshes.activate(thing)
+        self.assertEqual(bpy.ops.craze.crack(), {"FINISHED"})
+        new = bpy.context.active_object
+        self.assertEqual(json.loads(new.craze.recipe)["impact"][0]["point"], [0.5, 0.5, 0.0])
+        panel.preset = "mud"
+
+    def test_painting_where_makes_a_group_that_the_recipe_names(self):
+        thing = meshes.link(meshes.grid(6))
+        for polygon in thing.data.polygons:
+            polygon.select = polygon.center.x > 0
+        self.assertEqual(bpy.ops.craze.paint(selected=True), {"FINISHED"})
+        group = thing.vertex_groups["Cracks"]
+        found = {v.co.x >= -1e-6: group.weight(v.index) for v in thing.data.vertices}
+        self.assertEqual(found, {True: 1.0, False: 0.0})
+        self.assertEqual(bpy.context.scene.craze.keys.layer_attribute, "Cracks")
+        bpy.context.scene.craze.keys.layer_attribute = ""
+
+    def test_every_key_of_the_table_is_a_property_with_its_help(self):
+        properties = bpy.context.scene.craze.keys.bl_rna.properties
+        for row in table.single():
+            shown = properties[table.property_name(row["key"])]
+            self.assertEqual(shown.description, row["help"])
+            if row["type"] == "real" and row.get("maximum") is not None:
+                self.assertAlmostEqual(shown.hard_max, row["maximum"])
+        for section in table.repeated():
+            self.assertIn(section, properties)
+
+
+def _on_a_crack(mesh, vertex):
+    return abs(mesh.attributes["crack_distance"].data[vertex].value) < 1e-9

@@ -1,0 +1,160 @@
+# needs a window
+"""What a user does: start, go on working, stop, undo, drag a slider."""
+
+import time
+
+import bpy
+import meshes
+import numpy as np
+from window import check, press, view
+
+from craze_blender import process
+from craze_blender.work import Work
+
+HEAVY = """
+mesh.edge = "keep"
+material = { criterion = "strength", scatter = 0.15 }
+layer.relative_spacing = 0.03
+evolution.max_load = 1.5
+"""
+
+
+def undo_push():
+    with bpy.context.temp_override(**view()):
+        bpy.ops.ed.undo_push(message="test")
+
+
+def scene(n):
+    meshes.empty()
+    process.stop()
+    thing = meshes.link(meshes.grid(n))
+    undo_push()
+    return thing
+
+
+def start(**said):
+    with bpy.context.temp_override(**view()):
+        check(bpy.ops.craze.crack("INVOKE_DEFAULT", **said) == {"RUNNING_MODAL"}, "not modal")
+
+
+def names():
+    return sorted(o.name for o in bpy.data.objects)
+
+
+def until(holds, limit=120.0):
+    end = time.monotonic() + limit
+    while not holds():
+        check(time.monotonic() < end, "it takes too long")
+        yield 0.02
+
+
+def at_work():
+    """The request that the engine is busy with, once it cracks."""
+    yield from until(lambda: process.engine().pending())
+    [request] = process.engine().pending()
+    yield from until(lambda: request.progress[0] == "crack" and request.progress[2] > 0)
+    return request
+
+
+def test_cracking_is_one_undo_step():
+    scene(12)
+    start(preset="mud", spacing=0.5)
+    yield from until(lambda: names() == ["thing", "thing cracked"])
+    yield 0.2
+    cracked = len(bpy.data.objects["thing cracked"].data.vertices)
+    with bpy.context.temp_override(**view()):
+        bpy.ops.ed.undo()
+    yield 0.2
+    check(names() == ["thing"], f"undo left {names()}")
+    check(not bpy.data.objects["thing"].hide_get(), "undo left it hidden")
+    with bpy.context.temp_override(**view()):
+        bpy.ops.ed.redo()
+    yield 0.2
+    check(names() == ["thing", "thing cracked"], f"redo left {names()}")
+    check(len(bpy.data.objects["thing cracked"].data.vertices) == cracked, "redo made another")
+
+
+class Times:
+    """When the add-on was told to stop, and when the engine's request ended: the test itself looks
+    only as often as the window is drawn."""
+
+    def __enter__(self):
+        self.told = self.ended = None
+        self.cancel, self.end = Work.cancel, process.Request.end
+
+        def cancel(work):
+            self.told = time.monotonic()
+            self.cancel(work)
+
+        def end(request, *how):
+            self.end(request, *how)
+            self.ended = time.monotonic()
+
+        Work.cancel, process.Request.end = cancel, end
+        return self
+
+    def __exit__(self, *_):
+        Work.cancel, process.Request.end = self.cancel, self.end
+
+
+def test_escape_stops_within_a_second_and_leaves_nothing():
+    scene(150)
+    before = names(), len(bpy.data.meshes)
+    start(recipe=HEAVY)
+    request = yield from at_work()
+    with Times() as times:
+        press("ESC")
+        yield from until(lambda: request.state != "running")
+    took = times.ended - times.told
+    yield 0.3
+    print(f"stopped after {took:.2f} s")
+    check(took < 1.0, f"it took {took:.2f} s")
+    check(request.state == "cancelled", request.state)
+    check((names(), len(bpy.data.meshes)) == before, "something is left")
+
+
+def test_a_killed_engine_loses_nothing():
+    thing = scene(150)
+    start(recipe=HEAVY)
+    request = yield from at_work()
+    process.engine()._process.kill()
+    yield from until(lambda: request.state == "failed")
+    yield 0.3
+    check(names() == ["thing"] and len(thing.data.polygons) == 150 * 150, "something changed")
+
+
+def shape():
+    thing = bpy.data.objects["thing cracked"]
+    co = np.empty(3 * len(thing.data.vertices), np.float32)
+    thing.data.vertices.foreach_get("co", co)
+    return co.tobytes()
+
+
+def test_a_cracked_object_follows_the_sliders_and_the_latest_wish_wins():
+    scene(12)
+    panel = bpy.context.scene.craze
+    panel.preset = "mud"
+    panel.keys.layer_spacing = 0.6
+    start()
+    yield from until(lambda: len(names()) == 2)
+    yield 0.2
+    first, run = shape(), bpy.data.objects["thing cracked"].craze.run
+    with bpy.context.temp_override(**view()):
+        panel.keys.post_gap = 0.3
+    yield from until(lambda: shape() != first)
+    thing = bpy.data.objects["thing cracked"]
+    check(thing.craze.run == run, "it was cracked anew for a gap")
+    opened = shape()
+    with bpy.context.temp_override(**view()):
+        for spacing in (0.9, 0.8, 0.7):
+            panel.keys.layer_spacing = spacing
+    yield from until(lambda: shape() != opened)
+    thing = bpy.data.objects["thing cracked"]
+    check(thing.craze.run != run, "it was not cracked anew")
+    check('"spacing": 0.7,' in thing.craze.recipe, "an older wish won")
+    check(len(bpy.data.meshes) == 3, f"meshes are left: {len(bpy.data.meshes)}")
+    yield 0.2
+    with bpy.context.temp_override(**view()):
+        bpy.ops.ed.undo()
+    yield 0.3
+    check(shape() == opened, "undo does not lead back to what was before the slider")
