@@ -111,6 +111,9 @@ std::vector<std::string> bake_maps(const Result& result, const MapOptions& optio
 std::vector<std::string> bake_maps(const SurfaceMesh& cracked, const MapOptions& options,
                                    MapSink& sink, const Context& context);
 
+/// Throws Error(request) for a surface without UVs.
+void check_uvs(const SurfaceMesh& surface);
+
 /// All of a run's maps in memory; `warnings` receives what bake_maps() returns.
 std::vector<Map> baked_maps(const Result& result, const MapOptions& options,
                             std::vector<std::string>& warnings, const Context& context);

@@ -67,6 +67,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   Stopwatch total, phase;
   std::vector<std::string> warnings;
   Input input = load(request, warnings, context);
+  if (!request.maps.folder.empty()) check_uvs(*input.surface);
   const double load_time = phase.lap();
 
   const Result result = crack(std::move(input), request.recipe, {request.max_cracks}, context);

@@ -90,6 +90,7 @@ class MapFiles : public MapSink {
       : request_(request), context_(context) {}
 
   void begin(const std::vector<MapHeader>& headers) override {
+    make_output_folder("maps", request_.folder);
     headers_ = headers;
     for (const MapHeader& header : headers) files_.push_back(new_file(header));
   }
@@ -163,7 +164,6 @@ class MapFiles : public MapSink {
 template <class Source>
 std::vector<std::string> write(const Source& source, const MapsRequest& request,
                                const Context& context) {
-  make_output_folder("maps", request.folder);
   MapFiles files(request, context);
   std::vector<std::string> warnings = bake_maps(source, request.options, files, context);
   files.write_description();

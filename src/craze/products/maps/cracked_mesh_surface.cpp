@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "craze/error.h"
+#include "craze/maps.h"
 #include "craze/mesh/components.h"
 #include "craze/products/distance/seams.h"
 #include "craze/products/maps/map_surface.h"
@@ -141,10 +142,7 @@ std::vector<std::int32_t> crack_sides_of(const SurfaceMesh& open, const Triangle
 }  // namespace
 
 MapSurface map_surface(const SurfaceMesh& cracked, const Context& context) {
-  if (cracked.corner_uvs.empty()) {
-    throw Error(ErrorKind::request, "cannot bake maps", "uv",
-                "the mesh has no UVs; unwrap it first");
-  }
+  check_uvs(cracked);
   RepairReport report;
   SurfaceMesh open = repair(cracked, {-1}, report, context);
   const TriangleMesh mesh(open.positions, open.triangles);

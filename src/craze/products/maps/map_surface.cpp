@@ -1,7 +1,7 @@
 #include "craze/products/maps/map_surface.h"
 
 #include "craze/engine/cracked_surface.h"
-#include "craze/error.h"
+#include "craze/maps.h"
 #include "craze/products/cut_surface.h"
 
 namespace craze {
@@ -52,10 +52,7 @@ class WidthsAtNodes {
 
 MapSurface map_surface(const Result& result) {
   const CrackedSurface& state = result.state();
-  if (state.surface.corner_uvs.empty()) {
-    throw Error(ErrorKind::request, "cannot bake maps", "uv",
-                "the mesh has no UVs; unwrap it first");
-  }
+  check_uvs(state.surface);
   MapSurface maps;
   maps.surface = state.surface;
   const TriangleMesh& cut = state.mesh();

@@ -1,5 +1,6 @@
 #include "craze/maps.h"
 
+#include "craze/error.h"
 #include "craze/products/maps/bake_surface.h"
 
 namespace craze {
@@ -20,6 +21,11 @@ void MapsInMemory::rows(int, int count, const std::vector<const float*>& maps) {
         static_cast<std::size_t>(count) * map.header.size * map_info(map.header.kind).channels;
     map.values.insert(map.values.end(), maps[m], maps[m] + n);
   }
+}
+
+void check_uvs(const SurfaceMesh& surface) {
+  if (!surface.corner_uvs.empty()) return;
+  throw Error(ErrorKind::request, "cannot bake maps", "uv", "the mesh has no UVs; unwrap it first");
 }
 
 std::vector<std::string> bake_maps(const Result& result, const MapOptions& options, MapSink& sink,
