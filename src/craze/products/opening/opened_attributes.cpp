@@ -78,7 +78,7 @@ SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh
         opened.face_of[f] < 0 ? -1 : cut_surface.source_faces[opened.beside[f]]);
   }
   result.object_names = cut_surface.object_names;
-  for (const std::int32_t f : parent) {
+  for (const std::int32_t f : opened.beside) {
     if (!cut_surface.face_objects.empty()) {
       result.face_objects.push_back(cut_surface.face_objects[f]);
     }
