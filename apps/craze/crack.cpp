@@ -5,6 +5,7 @@
 #include "craze/job/run.h"
 #include "craze/presets.h"
 #include "interrupt.h"
+#include "map_options.h"
 #include "picture_options.h"
 #include "run_options.h"
 
@@ -69,6 +70,10 @@ void add_outputs(CLI::App& verb, RunRequest& request) {
   verb.add_option("--report", request.report, "What was done, as JSON; -: to standard output")
       ->type_name("FILE")
       ->group(group);
+  verb.add_option("--maps", request.maps.folder,
+                  "Textures of the cracks for the mesh's own UVs, into this folder")
+      ->type_name("DIR")
+      ->group(group);
   verb.add_option("--fields", request.fields, "Stress, forces and curvatures at the end: .ply")
       ->type_name("FILE")
       ->group(group);
@@ -120,6 +125,7 @@ void add_crack(CLI::App& app, Action& action) {
       ->type_name("");
   add_outputs(*verb, options->request);
   add_growth(*verb, options->request);
+  add_map_options(*verb, options->request.maps, "Maps (--maps)");
   add_picture_options(*verb, options->choice);
   CLI::Option* preset = verb->add_option(
       "--preset", options->preset, "See craze presets; glaze where no recipe and no key is given");
@@ -147,6 +153,7 @@ void add_crack(CLI::App& app, Action& action) {
       "--animate\n"
       "  craze crack shape:cup --video grow.mp4 --frame-count 96\n"
       "  craze crack vase.obj -o pieces.glb --fragments\n"
+      "  craze crack vase.obj --maps vase_maps --map normal --map occlusion --map-size 2048\n"
       "Ctrl-C stops, writes what was asked for and exits with 130 (SIGTERM: 143); a second one "
       "kills.");
   verb->callback([options, &action] { action = [options] { return crack(*options); }; });

@@ -133,6 +133,13 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
   if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), warn, context);
   context.check();
+  if (!request.maps.folder.empty()) {
+    MapsRequest maps = request.maps;
+    maps.options.post = result.report().recipe.post;
+    const std::vector<std::string> warnings = write_maps(result, maps, context);
+    report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
+  }
+  context.check();
   if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context), {}, context);
   context.check();
   if (!request.picture.empty()) write_picture(request, picture, shown, result, context);

@@ -86,6 +86,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   check_request(request);
   Stopwatch total, phase;
   Loaded loaded = load(request, context);
+  if (!request.maps.folder.empty()) check_uvs(*loaded.input.surface);
   const double load_time = phase.lap();
 
   const Result result =

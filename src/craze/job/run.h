@@ -6,6 +6,7 @@
 #include <string>
 
 #include "craze/context.h"
+#include "craze/job/write_maps.h"
 #include "craze/recipe.h"
 #include "craze/render/picture.h"
 #include "craze/report.h"
@@ -33,6 +34,7 @@ struct RunRequest {
   /// How pictures are taken. Material and upward axis are the recipe's.
   render::PictureOptions shot;
   bool plain = false;  ///< in the material's colours, not in those of the input's own materials
+  MapsRequest maps;    ///< maps of the cracks; gap and wall are the recipe's
   std::string fields;  ///< stress, forces and curvatures at the end: .ply
   std::string report;  ///< .json, or "-": only in the result
 };
