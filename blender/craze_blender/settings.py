@@ -15,8 +15,12 @@ from . import table
 from .runs import POST
 
 LARGEST = 2**31 - 1  # of Blender's whole numbers
-_VECTORS = {"vec2", "vec3", "tensor6"}
 GAP = 0.1  # of a new scene: presets leave cracks shut, and those are not seen in a viewport
+
+
+def _is_vector(row: dict[str, Any]) -> bool:
+    """Always so many numbers; one that may be none is a text."""
+    return row["type"] in {"vec2", "vec3", "tensor6"} and len(row["default"]) > 0
 
 
 def _first(row: dict[str, Any]) -> Any:
@@ -52,7 +56,7 @@ def _annotation(row: dict[str, Any], update: Any) -> Any:
         if row["unit"] == "length":
             common.update(subtype="DISTANCE", unit="LENGTH")
         return bpy.props.FloatProperty(default=default, precision=3, **limits, **common)
-    if kind in _VECTORS:
+    if _is_vector(row):
         if kind == "vec3" and row["unit"] == "length":
             common.update(subtype="XYZ", unit="LENGTH")
         size = len(default)
@@ -74,7 +78,7 @@ def _from_property(row: dict[str, Any], value: Any) -> Any:
     if kind == "names":
         return [name.strip() for name in value.split(",") if name.strip()]
     try:
-        return json.loads(value)  # "0.02"
+        return json.loads(value)  # "0.02", "[]"
     except ValueError:
         return value  # "auto"
 
@@ -83,7 +87,7 @@ def _to_property(row: dict[str, Any], value: Any) -> Any:
     kind = row["type"]
     if kind == "integer":
         return int(min(value, LARGEST))
-    if kind in _VECTORS | {"boolean", "choice", "string"}:
+    if kind in {"boolean", "choice", "string"} or _is_vector(row):
         return value
     if kind == "names":
         return ", ".join(value)
