@@ -6,11 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app.h"
+#include "asset_summary.h"
 #include "craze/job/load_surface.h"
 #include "craze/mesh/mesh_summary.h"
 #include "craze/products/report_json.h"
 #include "craze/repair.h"
 #include "part_boxes.h"
+#include "run_options.h"
 
 namespace craze::app {
 
@@ -32,7 +34,9 @@ using Box = Eigen::AlignedBox3d;
 
 /// What check says.
 struct Checked {
-  const SurfaceMesh& input;
+  const std::string& name;
+  const MeshFile& file;
+  const SurfaceMesh& input = file.mesh;
   RepairReport repair;
   MeshSummary summary;         ///< of the repaired mesh,
   std::vector<PartBox> parts;  ///< and its parts
@@ -44,9 +48,9 @@ struct Checked {
   }
 };
 
-Checked check(const SurfaceMesh& input) {
-  Checked checked{input, {}, {}, {}};
-  const SurfaceMesh repaired = repair(input, {}, checked.repair);
+Checked check(const std::string& name, const MeshFile& file) {
+  Checked checked{name, file, file.mesh, {}, {}, {}};
+  const SurfaceMesh repaired = repair(file.mesh, {}, checked.repair);
   const TriangleMesh mesh(repaired.positions, repaired.triangles);
   checked.summary = summarize(mesh);
   checked.parts = part_boxes(mesh);
@@ -107,34 +111,40 @@ std::string as_text(const Checked& checked) {
   text += fmt::format("worst triangle {:.3g} times as long as high\n", s.worst_aspect);
   std::string list;
   for (const std::string& name : extras(input)) list += (list.empty() ? "" : ", ") + name;
-  return text + "attributes: " + (list.empty() ? "none" : list) + "\n";
+  text += "attributes: " + (list.empty() ? "none" : list) + "\n";
+  if (checked.parts.empty()) return text;
+  return text + asset_text(checked.name, input, checked.box().sizes(), s.diagonal);
 }
 
 nlohmann::ordered_json as_json(const Checked& checked) {
   const SurfaceMesh& input = checked.input;
   const MeshSummary& s = checked.summary;
   const Box whole = checked.box();
-  return {{"input", {{"vertices", input.positions.size()}, {"triangles", input.triangles.size()}}},
-          {"repaired",
-           {{"vertices", s.vertices},
-            {"triangles", s.faces},
-            {"components", s.components},
-            {"box", whole.isEmpty() ? nlohmann::ordered_json() : box_json(whole)},
-            {"parts", parts_json(checked.parts)},
-            {"boundary_loops", s.boundary_loops},
-            {"euler_characteristic", s.euler_characteristic},
-            {"closed", s.closed()},
-            {"genus", s.genus},
-            {"area", s.area},
-            {"volume", s.volume},
-            {"diagonal", s.diagonal},
-            {"edge_min", s.edge_min},
-            {"edge_mean", s.edge_mean},
-            {"edge_max", s.edge_max},
-            {"worst_aspect", s.worst_aspect}}},
-          {"repair", repair_to_json(checked.repair)},
-          {"sound", !checked.repair.defects()},
-          {"attributes", extras(input)}};
+  nlohmann::ordered_json json = {
+      {"input", {{"vertices", input.positions.size()}, {"triangles", input.triangles.size()}}},
+      {"repaired",
+       {{"vertices", s.vertices},
+        {"triangles", s.faces},
+        {"components", s.components},
+        {"box", whole.isEmpty() ? nlohmann::ordered_json() : box_json(whole)},
+        {"parts", parts_json(checked.parts)},
+        {"boundary_loops", s.boundary_loops},
+        {"euler_characteristic", s.euler_characteristic},
+        {"closed", s.closed()},
+        {"genus", s.genus},
+        {"area", s.area},
+        {"volume", s.volume},
+        {"diagonal", s.diagonal},
+        {"edge_min", s.edge_min},
+        {"edge_mean", s.edge_mean},
+        {"edge_max", s.edge_max},
+        {"worst_aspect", s.worst_aspect}}},
+      {"repair", repair_to_json(checked.repair)},
+      {"sound", !checked.repair.defects()},
+      {"attributes", extras(input)},
+      {"warnings", checked.file.warnings}};
+  json.update(asset_json(input, s.diagonal));
+  return json;
 }
 
 }  // namespace
@@ -142,7 +152,7 @@ nlohmann::ordered_json as_json(const Checked& checked) {
 void add_check(CLI::App& app, Action& action) {
   struct Options {
     std::string input;
-    bool json = false;
+    bool json = false, no_warnings = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand("check", "Say what a mesh is and what repair would do");
@@ -150,14 +160,16 @@ void add_check(CLI::App& app, Action& action) {
       ->required()
       ->type_name("");
   verb->add_flag("--json", options->json, "As JSON");
+  add_warning_option(*verb, options->no_warnings);
   verb->footer(
       "Examples:\n"
       "  craze check scan.stl\n"
       "  craze check scan.stl --json | jq .repair");
   verb->callback([options, &action] {
     action = [options] {
-      const SurfaceMesh input = load_surface(options->input).mesh;
-      const Checked checked = check(input);
+      const MeshFile file = load_surface(options->input);
+      if (!options->no_warnings) print_warnings({}, file.warnings);
+      const Checked checked = check(options->input, file);
       return print(options->json ? as_json(checked).dump(2) + "\n" : as_text(checked));
     };
   });

@@ -140,7 +140,7 @@ CRAZE_API const char* craze_mesh_array_name(const craze_mesh* mesh, int64_t i);
  * last. */
 CRAZE_API const char* craze_mesh_material_name(const craze_mesh* mesh, int64_t i);
 
-/* Writes .ply .obj .stl .glb: the whole file or none. */
+/* Writes .ply .obj .stl .glb .usda: the whole file or none. */
 CRAZE_API craze_status craze_mesh_write(const craze_mesh* mesh, const char* path,
                                         craze_progress progress, void* user, craze_error* error);
 /* The parts of a cracked mesh by its face attribute "fragment": how many there are (-1 where it has

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "craze/length.h"
 #include "craze/tensor.h"
 
 namespace craze {
@@ -26,23 +27,26 @@ struct StressParameters {
   double uniform = 1;                ///< isotropic tension
   std::array<double, 6> tensor{};    ///< sxx syy szz sxy syz szx, world axes
   double noise = 0.05;               ///< relative standard deviation
-  double noise_length = 0;           ///< correlation length; 0: per triangle
+  Length noise_length = 0;           ///< correlation length; 0: per triangle
   double relative_noise_length = 0;  ///< noise_length as a multiple of ℓ, where that is 0
   double curvature = 0;              ///< times the curvature tensor
-  double curvature_radius = 0;       ///< 0: twice the mean edge
+  Length curvature_radius = 0;       ///< 0: twice the mean edge
   std::string attribute;             ///< of the input, added
   std::string texture;               ///< grey image in UV space, multiplied in
 };
 
 /// [[impact]]: a stress pattern around a point of the surface.
 struct Impact {
-  Vec3 point = Vec3::Zero();
-  double radius = 1;
-  double radial = 0;          ///< amplitude of the tension along the rays: opens rings
-  double hoop = 1;            ///< amplitude of the tension around the point: opens rays
-  double falloff = 2;         ///< exponent of the decay beyond the radius
-  double radial_falloff = 0;  ///< of the radial part alone; 0: falloff
-  double hoop_falloff = 0;    ///< of the hoop part alone; 0: falloff
+  Vec3 point = Vec3::Zero();      ///< the nearest place of the surface is hit
+  Vec3 direction = Vec3::Zero();  ///< of what comes from outside toward the middle; zero: the point
+  std::vector<double> uv;         ///< two: the place with that UV; none: point or direction
+  Length radius = 1;
+  double relative_radius = 0;  ///< the radius as part of the object's diagonal; 0: radius
+  double radial = 0;           ///< amplitude of the tension along the rays: opens rings
+  double hoop = 1;             ///< amplitude of the tension around the point: opens rays
+  double falloff = 2;          ///< exponent of the decay beyond the radius
+  double radial_falloff = 0;   ///< of the radial part alone; 0: falloff
+  double hoop_falloff = 0;     ///< of the hoop part alone; 0: falloff
 };
 
 /// [material]
@@ -52,11 +56,11 @@ struct MaterialParameters {
   Criterion criterion = Criterion::force;
   double alpha = 0.5;             ///< α of Eq. 8
   double relative_toughness = 0;  ///< toughness over strength · √ℓ; 0: toughness as given
-  double process_zone = 0;        ///< length around a tip in which no other node fails; 0: ℓ / 2
+  Length process_zone = 0;        ///< length around a tip in which no other node fails; 0: ℓ / 2
   double scatter = 0;             ///< relative scatter of the strength
-  double scatter_length = 0;      ///< its correlation length; 0: the stress's noise_length
+  Length scatter_length = 0;      ///< its correlation length; 0: the stress's noise_length
   double relative_scatter_length = 0;  ///< scatter_length as a multiple of ℓ, where that is 0
-  double lookahead = 0;           ///< length ahead of a tip by whose stress it turns; 0: its own ς
+  Length lookahead = 0;           ///< length ahead of a tip by whose stress it turns; 0: its own ς
   double relative_lookahead = 0;  ///< lookahead as a multiple of ℓ, where that is 0
   CurvatureScale curvature_scale = CurvatureScale::none;
   double bias = 0;        ///< preference for principal directions (Fig. 2)
@@ -66,9 +70,9 @@ struct MaterialParameters {
 
 /// [layer]
 struct LayerParameters {
-  double spacing = 0;           ///< asked-for spacing of the cracks
+  Length spacing = 0;           ///< asked-for spacing of the cracks
   double relative_spacing = 0;  ///< the spacing as part of the object's diagonal
-  double screening_length = 0;  ///< ℓ; 0: no adhesion
+  Length screening_length = 0;  ///< ℓ; 0: no adhesion
   std::int64_t rounds = 0;      ///< times ℓ is put right by the spacing that came out
   std::string attribute;        ///< of the input, multiplies the spacing; 0: no crack, ever
   std::string texture;          ///< grey image in UV space, multiplied in too
@@ -105,6 +109,19 @@ struct CrackParameters {
   double stride = 0;  ///< how far a failing node's crack runs at once, screening lengths
 };
 
+/// [where]: what of the surface cracks. Everything given must hold.
+struct WhereParameters {
+  std::vector<std::string> materials;  ///< names, or patterns with * and ?; none: any
+  std::vector<std::string> nodes;      ///< of objects, likewise
+  std::string attribute;               ///< of the input, 0 … 1: never … freely
+  std::string texture;                 ///< grey image in UV space, multiplied in
+  bool invert = false;                 ///< the rest of the surface instead
+
+  bool is_given() const {
+    return invert || !materials.empty() || !nodes.empty() || !attribute.empty() || !texture.empty();
+  }
+};
+
 /// Everything the simulation needs to know besides the mesh.
 struct SimulationParameters {
   Engine engine = Engine::quasistatic;
@@ -113,6 +130,7 @@ struct SimulationParameters {
   std::vector<Impact> impacts;
   MaterialParameters material;
   LayerParameters layer;
+  WhereParameters where;
   EvolutionParameters evolution;
   BoundaryParameters boundary;
   CrackParameters crack;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "craze/context.h"
+#include "craze/material_look.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -22,6 +23,9 @@ struct MeshFile {
   SurfaceMesh mesh;
   std::vector<std::string> warnings;  ///< one sentence for each kind of thing that was left out
   std::vector<std::string> textures;  ///< pictures that the file names, in its own words
+  /// One per material of the mesh; one for all faces of a mesh without; none where the file says
+  /// nothing.
+  std::vector<MaterialLook> looks;
 };
 
 /// Reads a file's bytes: .obj, .ply, .stl, .off, .gltf or .glb, by what they are where that can be

@@ -18,7 +18,7 @@ struct EdgeLength {
     given,      ///< `length`
   };
   Kind kind = Kind::automatic;
-  double length = 0;  ///< target edge length, model units; 0 unless given
+  Length length = 0;  ///< target edge length; 0 unless given
 };
 
 /// mesh.output: which triangles carry the cracks in the end.
@@ -30,14 +30,16 @@ enum class OutputMesh {
 /// [mesh]
 struct MeshParameters {
   EdgeLength edge;
+  LengthUnit unit = LengthUnit::own;  ///< the mesh's, where its file says none; own: not known
   OutputMesh output = OutputMesh::asset;
 };
 
 /// [post]: §5 of the paper, done to the finished mesh.
 struct PostParameters {
-  double gap = 0;   ///< γ of Eq. 9
-  double wall = 0;  ///< depth of the side walls, model units
-  double curl = 0;  ///< lift at a crack, as a share of the displacement there
+  double gap = 0;        ///< γ of Eq. 9
+  Length gap_width = 0;  ///< mean opening, instead of gap; a run turns it into that
+  Length wall = 0;       ///< depth of the side walls
+  double curl = 0;       ///< lift at a crack, as a share of the displacement there
 };
 
 /// [picture]: how the result is shown.

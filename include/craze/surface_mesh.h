@@ -29,8 +29,11 @@ struct SurfaceMesh {
   std::vector<Color> vertex_colors;          ///< #V
   std::vector<std::int32_t> face_materials;  ///< #F, index into material_names, −1: none
   std::vector<std::string> material_names;
+  std::vector<std::int32_t> face_objects;    ///< #F, index into object_names, −1: none
+  std::vector<std::string> object_names;     ///< of glTF nodes that show meshes; OBJ's `o`, `g`
   std::vector<Attribute> vertex_attributes;  ///< any named scalar or vector of the file
   std::vector<Attribute> face_attributes;
+  double metres_per_unit = 0;              ///< of the positions; 0: the file does not say
   std::vector<std::int32_t> source_faces;  ///< #F: the file's polygon each triangle came from
 };
 

@@ -114,5 +114,49 @@ TEST_F(Verbs, RenderTakesAPictureOfTheSizeAskedFor) {
   EXPECT_EQ(png[23], 30);
 }
 
+TEST_F(Verbs, CrackAndRenderTakeTheSamePictureOptions) {
+  const std::vector<std::string> options{"--width", "32",          "--height",
+                                         "24",      "--samples",   "1",
+                                         "--up",    "z",           "--azimuth",
+                                         "30",      "--elevation", "40",
+                                         "--fov",   "30",          "--zoom",
+                                         "1.5",     "--material",  "mud",
+                                         "--light", "-40",         "--line-width",
+                                         "0.01",    "--no-ground", "--background",
+                                         "406080",  "--plain",     "--light-elevation",
+                                         "30",      "--exposure",  "1.2"};
+  std::vector<std::string> render{"render", "shape:sphere", "-o", "a.png"};
+  render.insert(render.end(), options.begin(), options.end());
+  EXPECT_EQ(run(render).err, "");
+  std::vector<std::string> crack{"crack", "shape:sphere",      "--picture",
+                                 "b.png", "--max-cracks",      "0",
+                                 "--set", "mesh.edge=\"keep\""};
+  crack.insert(crack.end(), options.begin(), options.end());
+  EXPECT_EQ(run(crack).err, "");
+  EXPECT_EQ(read_text(file("a.png")), read_text(file("b.png")));
+  const CommandResult wrong =
+      run({"crack", "shape:sphere", "--picture", "a.png", "--background", "blue"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_NE(wrong.err.find("six hexadecimal digits"), std::string::npos) << wrong.err;
+}
+
+TEST_F(Verbs, AllThatReadAMeshSayWhatTheyLeaveOutUnlessToldNotTo) {
+  // Two triangles parted along an edge; a mesh keeps no points.
+  std::ofstream(file("a.obj"))
+      << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\np 1\n";
+  const std::vector<std::vector<std::string>> verbs{
+      {"check", "a.obj"},
+      {"stats", "a.obj"},
+      {"render", "a.obj", "-o", "a.png", "--width", "8", "--height", "8", "--quiet"},
+      {"crack", "a.obj", "-o", "a.ply", "--max-cracks", "0", "--quiet"}};
+  for (std::vector<std::string> verb : verbs) {
+    const CommandResult said = run(verb);
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_EQ(said.err.rfind("craze: warning: ", 0), 0u) << verb[0] << ": " << said.err;
+    verb.emplace_back("--no-warnings");
+    EXPECT_EQ(run(verb).err, "") << verb[0];
+  }
+}
+
 }  // namespace
 }  // namespace craze

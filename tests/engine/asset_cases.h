@@ -107,8 +107,10 @@ inline SurfaceMesh dressed(SurfaceMesh mesh) {
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     part.values.push_back(static_cast<double>(f));
     mesh.face_materials.push_back(static_cast<std::int32_t>(f % 3));
+    mesh.face_objects.push_back(static_cast<std::int32_t>(f % 2));
   }
   mesh.material_names = {"a", "b", "c"};
+  mesh.object_names = {"cup", "saucer"};
   mesh.vertex_attributes = {std::move(weight)};
   mesh.face_attributes = {std::move(part)};
   return mesh;

@@ -243,6 +243,7 @@ inline void check_attributes(const SurfaceMesh& asset, const CutAsset& cut) {
   for (std::size_t f = 0; f < cut.triangles.size(); ++f) {
     const std::size_t source = cut.face_source[f];
     ASSERT_EQ(made.face_materials[f], asset.face_materials[source]);
+    ASSERT_EQ(made.face_objects[f], asset.face_objects[source]);
     ASSERT_EQ(made.face_attributes[0].values[f], asset.face_attributes[0].values[source]);
     if (parts.count(static_cast<std::int32_t>(f))) continue;
     ASSERT_TRUE(same_bits(&made.corner_uvs[3 * f], &asset.corner_uvs[3 * f], 3));

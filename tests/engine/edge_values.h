@@ -22,11 +22,15 @@ inline std::vector<ParameterValue> edges_of(const Parameter& p) {
     const double inside = clamped(p.range, x);
     switch (p.type) {
       case ParameterType::real:
+      case ParameterType::length:
       case ParameterType::edge:
         values.emplace_back(inside);
         break;
       case ParameterType::integer:
         values.emplace_back(static_cast<std::int64_t>(inside));
+        break;
+      case ParameterType::vec2:
+        values.emplace_back(std::vector<double>(2, inside));
         break;
       case ParameterType::vec3:
         values.emplace_back(std::vector<double>(3, inside));

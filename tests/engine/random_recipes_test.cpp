@@ -13,6 +13,8 @@
 #include "craze/mesh/validate.h"
 #include "craze/model/screening.h"
 #include "craze/products.h"
+#include "craze/recipe/length_text.h"
+#include "craze/recipe/own_lengths.h"
 #include "craze/shapes.h"
 #include "engine/edge_values.h"
 
@@ -85,10 +87,17 @@ ParameterValue inside(const Parameter& p, Random& random) {
   switch (p.type) {
     case ParameterType::integer:
       return static_cast<std::int64_t>(test::clamped(p.range, std::floor(number() + 2)));
+    case ParameterType::vec2:
+      return std::vector<double>{number(), number()};
     case ParameterType::vec3:
       return std::vector<double>{number(), number(), number()};
     case ParameterType::tensor6:
       return std::vector<double>{number(), number(), number(), number(), number(), number()};
+    case ParameterType::names:
+      return std::vector<std::string>{random.below(2) == 0 ? "*" : "missing"};
+    case ParameterType::length:
+      if (random.below(4) == 0) return format_length({number(), LengthUnit::percent});
+      return number();
     case ParameterType::string:
       return std::string(random.below(2) == 0 ? "paint" : "missing");
     default:
@@ -124,12 +133,14 @@ Recipe random_recipe(Random& random, std::string& text) {
 
 /// Of what would make some ten thousand triangles of a small mesh, the mesh as it is.
 void keep_small(Recipe& recipe, double diagonal) {
-  const LayerParameters& layer = recipe.simulation.layer;
+  const Recipe own = with_own_lengths(recipe, {diagonal, 1});
+  const LayerParameters& layer = own.simulation.layer;
   const bool fine_layer = (layer.spacing > 0 && layer.spacing < 0.1 * diagonal) ||
                           (layer.relative_spacing > 0 && layer.relative_spacing < 0.1) ||
                           (layer.screening_length > 0 && layer.screening_length < 0.1 * diagonal);
   EdgeLength& edge = recipe.mesh.edge;
-  const bool fine_edge = edge.kind == EdgeLength::Kind::given && edge.length < 0.03 * diagonal;
+  const bool fine_edge =
+      edge.kind == EdgeLength::Kind::given && own.mesh.edge.length < 0.03 * diagonal;
   if (fine_layer || fine_edge) edge = {EdgeLength::Kind::keep, 0};
 }
 

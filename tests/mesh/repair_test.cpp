@@ -363,8 +363,10 @@ TEST(Repair, FaceAttributesAndSourcesFollowTheirFaces) {
   s.triangles[4] = {0, 0, 0};
   for (std::size_t f = 0; f < s.triangles.size(); ++f) {
     s.face_materials.push_back(static_cast<std::int32_t>(f % 3));
+    s.face_objects.push_back(static_cast<std::int32_t>(f % 2) - 1);
     s.source_faces.push_back(static_cast<std::int32_t>(100 + f));
   }
+  s.object_names = {"o"};
   s.material_names = {"a", "b", "c"};
   s.face_attributes = {{"id", 1, std::vector<double>(s.triangles.size())}};
   std::iota(s.face_attributes[0].values.begin(), s.face_attributes[0].values.end(), 0);
@@ -374,9 +376,11 @@ TEST(Repair, FaceAttributesAndSourcesFollowTheirFaces) {
     const std::size_t old = f < 4 ? f : f + 1;
     EXPECT_EQ(r.surface.source_faces[f], static_cast<std::int32_t>(100 + old));
     EXPECT_EQ(r.surface.face_materials[f], static_cast<std::int32_t>(old % 3));
+    EXPECT_EQ(r.surface.face_objects[f], static_cast<std::int32_t>(old % 2) - 1);
     EXPECT_EQ(r.surface.face_attributes[0].values[f], static_cast<double>(old));
   }
   EXPECT_EQ(r.surface.material_names, s.material_names);
+  EXPECT_EQ(r.surface.object_names, s.object_names);
 }
 
 TEST(Repair, WithoutSourcesEachTriangleNamesItself) {

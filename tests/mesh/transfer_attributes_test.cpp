@@ -32,6 +32,7 @@ SurfaceMesh strip(int columns) {
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     face_number.values.push_back(static_cast<double>(f) + 0.5);
     mesh.face_materials.push_back(static_cast<std::int32_t>(f % 2));
+    mesh.face_objects.push_back(static_cast<std::int32_t>(f % 3) - 1);
     for (const std::int32_t v : mesh.triangles[f]) {
       const Vec3& p = mesh.positions[v];
       mesh.corner_uvs.emplace_back(p.x() / 3 + (f >= 4 ? 10 : 0), p.y() / 7);
@@ -39,6 +40,7 @@ SurfaceMesh strip(int columns) {
     }
   }
   mesh.material_names = {"a", "b"};
+  mesh.object_names = {"cup", "saucer"};
   mesh.vertex_attributes = {height, pair};
   mesh.face_attributes = {face_number};
   return mesh;
@@ -104,7 +106,7 @@ RC_GTEST_PROP(TransferAttributes, TheInputsOwnVerticesKeepTheirExactValues, (std
   }
 }
 
-TEST(TransferAttributes, FacesKeepMaterialNumberAndSource) {
+TEST(TransferAttributes, FacesKeepMaterialObjectNumberAndSource) {
   const SurfaceMesh surface = strip(3);
   const TriangleMesh cut = crack_at_random(surface, 4, 30);
   const SurfaceMesh result = transfer_attributes(surface, cut);
@@ -112,9 +114,11 @@ TEST(TransferAttributes, FacesKeepMaterialNumberAndSource) {
     const std::int32_t source = cut.source_face(f);
     EXPECT_EQ(result.source_faces[f], source);
     EXPECT_EQ(result.face_materials[f], surface.face_materials[source]);
+    EXPECT_EQ(result.face_objects[f], surface.face_objects[source]);
     EXPECT_EQ(result.face_attributes[0].values[f], source + 0.5);
   }
   EXPECT_EQ(result.material_names, surface.material_names);
+  EXPECT_EQ(result.object_names, surface.object_names);
 }
 
 TEST(TransferAttributes, WhatIsNotGivenStaysEmpty) {

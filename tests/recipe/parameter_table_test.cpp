@@ -88,7 +88,12 @@ TEST(ParameterTable, SettingAFieldChangesThatFieldAndNoOther) {
     ParameterValue other = p.default_value();
     if (auto* real = std::get_if<double>(&other)) *real += 0.25;
     if (auto* integer = std::get_if<std::int64_t>(&other)) *integer += 3;
-    if (auto* numbers = std::get_if<std::vector<double>>(&other)) numbers->back() = 7;
+    if (auto* numbers = std::get_if<std::vector<double>>(&other)) {
+      numbers->resize(std::max<std::size_t>(numbers->size(), 2), 0);
+      numbers->back() = 7;
+    }
+    if (auto* names = std::get_if<std::vector<std::string>>(&other)) names->push_back("painted");
+    if (auto* boolean = std::get_if<bool>(&other)) *boolean = !*boolean;
     if (auto* word = std::get_if<std::string>(&other)) {
       const bool last = !p.choices.empty() && *word == p.choices.back();
       *word = p.choices.empty() ? "painted" : last ? p.choices.front() : p.choices.back();

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "craze/error.h"
+#include "craze/recipe/length_text.h"
 #include "craze/recipe/parameter_table.h"
 #include "craze/recipe/recipe_json.h"
 #include "craze/recipe/set_key.h"
@@ -64,13 +65,25 @@ ParameterValue arbitrary_value(const Parameter& p) {
       return *rc::gen::elementOf(p.choices);
     case ParameterType::string:
       return *rc::gen::container<std::string>(rc::gen::inRange<char>(0, 127));
+    case ParameterType::names:
+      return *rc::gen::container<std::vector<std::string>>(
+          rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127)));
+    case ParameterType::vec2:
+      return numbers(*rc::gen::elementOf(std::vector<std::size_t>{0, 2}));
     case ParameterType::vec3:
       return numbers(3);
     case ParameterType::tensor6:
       return numbers(6);
     case ParameterType::edge:
       if (*rc::gen::arbitrary<bool>()) return *rc::gen::elementOf(p.choices);
-      return *real_in(p.range);
+      [[fallthrough]];
+    case ParameterType::length: {
+      const double number = *real_in(p.range);
+      if (*rc::gen::arbitrary<bool>()) return number;
+      return format_length(
+          {number, *rc::gen::elementOf(std::vector<LengthUnit>{
+                       LengthUnit::millimetre, LengthUnit::inch, LengthUnit::percent})});
+    }
   }
   return 0.0;
 }

@@ -56,9 +56,8 @@ void check_scale(const SurfaceMesh& surface, const Recipe& recipe, double target
   if (needed <= memory) return;
   const bool given = recipe.mesh.edge.kind == EdgeLength::Kind::given;
   const double most = std::sqrt(needed / memory);  // of lengths, whatever they are
-  const double asked = given         ? target_edge
-                       : spacing > 0 ? spacing
-                                     : recipe.simulation.layer.screening_length;
+  const double length = recipe.simulation.layer.screening_length;
+  const double asked = given ? target_edge : spacing > 0 ? spacing : length;
   throw Error(
       ErrorKind::request,
       given ? "edge too short for this machine" : "spacing too small for this machine",

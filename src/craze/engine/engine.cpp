@@ -2,13 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iterator>
 
+#include "craze/engine/check_where.h"
 #include "craze/engine/cracked_surface.h"
+#include "craze/engine/place_impacts.h"
 #include "craze/engine/spacing_rounds.h"
 #include "craze/error.h"
 #include "craze/mesh/repair/traced_repair.h"
+#include "craze/model/screening.h"
+#include "craze/recipe/check_recipe.h"
+#include "craze/recipe/length_text.h"
+#include "craze/recipe/own_lengths.h"
 
 namespace craze {
 
@@ -27,12 +34,31 @@ TracedSurface repaired(const Input& input, Report& report, const Context& contex
   return traced;
 }
 
+void warn_of_unused_unit(Report& report, const SurfaceMesh& surface) {
+  const double given = metres(report.recipe.mesh.unit);
+  if (given == 0 || surface.metres_per_unit == 0 || given == surface.metres_per_unit) return;
+  report.warnings.push_back("the file says its own unit, which stands (mesh.unit)");
+}
+
 double total_length(const CrackNetwork& network) {
   double length = 0;
   for (const CrackEdge& e : network.edges) {
     length += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
   }
   return length;
+}
+
+/// post.gap for which cracks open by post.gap_width on average over their length.
+void resolve_gap(PostParameters& post, const CrackNetwork& network) {
+  if (!(post.gap_width > 0)) return;
+  double length = 0, opening = 0;  // of Eq. 9 with γ = 1, times the length
+  for (const CrackEdge& e : network.edges) {
+    const double of_edge = (network.nodes[e.b].position - network.nodes[e.a].position).norm();
+    length += of_edge;
+    opening += of_edge * e.width;
+  }
+  if (opening > 0) post.gap = post.gap_width * (length / opening);
+  post.gap_width = 0;
 }
 
 CarriedCounts count_carried(const CutAsset& cut, std::size_t triangles_before) {
@@ -70,6 +96,12 @@ void settle(CrackedSurface& state, SimulationSurface surface, Report& report,
   report.time.carry = seconds_since(start);
 }
 
+void warn_of_empty_mask(Report& report, const std::vector<double>& mask) {
+  if (mask.empty()) return;
+  if (std::any_of(mask.begin(), mask.end(), [](double m) { return m > 0; })) return;
+  report.warnings.push_back("nothing can crack (where): it leaves no triangle of the surface");
+}
+
 void add_warnings(Report& report, const LastCycle& last, const Simulation& simulation) {
   if (last.unstressed) {
     // In equilibrium from the start: not wrong, but seldom what was wanted.
@@ -89,7 +121,8 @@ void add_warnings(Report& report, const LastCycle& last, const Simulation& simul
         report.carried.lost_pieces, report.carried.lost_length,
         report.carried.lost_length + report.cracks.length));
   }
-  if (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load) {
+  const bool whole = !report.recipe.simulation.where.is_given();
+  if (whole && (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load)) {
     if (const auto warning = spacing_warning(report.recipe.simulation.layer, simulation.mesh(),
                                              report.cracks.fragments)) {
       report.warnings.push_back(*warning);
@@ -106,10 +139,21 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   report.recipe = recipe;
   if (options.max_cracks) report.recipe.simulation.evolution.max_cracks = *options.max_cracks;
   report.threads = context.threads.count();
+  check_recipe(recipe);
+  const double unit = metres_per_unit(*input.surface, recipe);
+  check_units(recipe, unit);
+  warn_of_unused_unit(report, *input.surface);
+  for (std::string& warning : check_where(*input.surface, recipe.simulation.where)) {
+    report.warnings.push_back(std::move(warning));
+  }
   report.input = count_mesh(*input.surface);
   context.report({"repair", 0, 0, report.input.triangles});
   TracedSurface traced = repaired(input, report, context);
   input.surface.reset();
+  report.recipe =
+      with_own_lengths(report.recipe, {bounding_diagonal(traced.surface.positions), unit});
+  SimulationParameters& parameters = report.recipe.simulation;
+  parameters.impacts = place_impacts(std::move(parameters.impacts), traced.surface, context);
   report.time.load = seconds_since(start);
   context.report({"prepare", -1, 0, count_mesh(traced.surface).triangles});
   context.check();
@@ -125,7 +169,9 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   state->recipe = std::move(run.recipe);
   state->simulation = std::move(run.last.simulation);
   report.simulation = count_mesh(run.surface.mesh);
+  warn_of_empty_mask(report, run.surface.mask);
   settle(*state, std::move(run.surface), report, context);
+  resolve_gap(state->recipe.post, state->network);
   if (state->recipe.mesh.output == OutputMesh::asset) {
     state->surface_origin = std::move(traced.origin);
   }

@@ -26,14 +26,6 @@ constexpr double held_above = 0.5;
 // Degrees between the normals of two faces at a fold.
 constexpr double fold_angle = 40;
 
-/// The picture that `key` names, an empty one where it names none.
-GreyImage find_texture(const Textures& textures, const std::string& name, const char* key) {
-  if (name.empty()) return {};
-  const auto found = textures.find(name);
-  if (found != textures.end()) return found->second;
-  throw Error(ErrorKind::request, "no such picture", key, "\"" + name + "\" was not given");
-}
-
 std::vector<Sym3> in_world(const TriangleMesh& mesh, const std::vector<Sym2>& tensors,
                            double factor) {
   std::vector<Sym3> world(tensors.size());
@@ -55,16 +47,23 @@ void scatter_strength(std::vector<double>& scale, const TriangleMesh& mesh,
 }
 
 std::vector<double> toughness_scale(const TriangleMesh& mesh, const SimulationParameters& p,
-                                    const InputFields& input,
-                                    const std::vector<std::uint8_t>& forbidden_in_input,
+                                    const InputFields& input, const SimulationSurface& surface,
                                     const Context& context) {
   std::vector<double> scale = material_multiplier(mesh, p.material, input).face;
   scale.resize(static_cast<std::size_t>(mesh.face_count()), 1);
   scatter_strength(scale, mesh, p, context);
   const std::vector<std::uint8_t> forbidden = forbidden_faces(mesh, p, input);
   for (std::size_t f = 0; f < forbidden.size(); ++f) {
-    const bool in_input = !forbidden_in_input.empty() && forbidden_in_input[f];
+    const bool in_input = !surface.forbidden.empty() && surface.forbidden[f];
     if (forbidden[f] || in_input) scale[f] = std::numeric_limits<double>::infinity();
+  }
+  for (std::size_t f = 0; f < surface.mask.size(); ++f) {
+    scale[f] =
+        surface.mask[f] > 0
+            ? scale[f] /
+                  std::pow(surface.mask[f],
+                           1 - (std::getenv("WHERE_B") ? std::atof(std::getenv("WHERE_B")) : 0.0))
+            : std::numeric_limits<double>::infinity();
   }
   return scale;
 }
@@ -145,6 +144,13 @@ std::vector<char> pinned_vertices(const SurfaceMesh& surface, const TriangleMesh
 
 }  // namespace
 
+GreyImage find_texture(const Textures& textures, const std::string& name, const char* key) {
+  if (name.empty()) return {};
+  const auto found = textures.find(name);
+  if (found != textures.end()) return found->second;
+  throw Error(ErrorKind::request, "no such picture", key, "\"" + name + "\" was not given");
+}
+
 SimulationFields initial_fields(const SimulationSurface& surface, const TriangleMesh& mesh,
                                 const SimulationParameters& p, const Textures& textures,
                                 const Context& context) {
@@ -156,6 +162,13 @@ SimulationFields initial_fields(const SimulationSurface& surface, const Triangle
   SimulationFields fields;
   fields.stress =
       in_world(mesh, initial_stress(mesh, p.stress, p.impacts, p.seed, input, context), 1);
+  if (const char* e = std::getenv("WHERE_B")) {
+    const double b = std::atof(e);
+    for (std::size_t f = 0; f < surface.mask.size(); ++f) {
+      const double m = surface.mask[f];
+      fields.stress[f] = std::pow(m, b) * fields.stress[f];
+    }
+  }
   if (p.evolution.curvature_growth != 0) {
     fields.growth = in_world(mesh, face_curvature(mesh, p.stress.curvature_radius, context),
                              p.evolution.curvature_growth);
@@ -165,7 +178,7 @@ SimulationFields initial_fields(const SimulationSurface& surface, const Triangle
       fields.growth.clear();
     }
   }
-  fields.toughness_scale = toughness_scale(mesh, p, input, surface.forbidden, context);
+  fields.toughness_scale = toughness_scale(mesh, p, input, surface, context);
   fields.separation_scale = separation_scale(mesh, p, context);
   fields.adhesion_scale = adhesion_scale(mesh, p, input);
   fields.preferred = preferred_per_face(mesh, p, context);

@@ -54,7 +54,7 @@ SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
   options.coarsen = recipe.mesh.edge.kind == EdgeLength::Kind::given;
   options.seed = recipe.simulation.seed;
   check_scale(repaired, recipe, options.target_edge, physical_memory());
-  if (options.target_edge == 0) return {std::move(repaired), {}, {}, {}};
+  if (options.target_edge == 0) return {std::move(repaired), {}, {}, {}, {}};
 
   const MaterialParameters& material = recipe.simulation.material;
   const bool may_forbid = !material.attribute.empty() || !recipe.simulation.layer.attribute.empty();

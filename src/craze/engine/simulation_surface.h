@@ -21,6 +21,7 @@ struct SimulationSurface {
   SurfaceMesh asset;
   /// #F: a face of the asset that lies near each, on its side of any wall.
   std::vector<std::int32_t> asset_face;
+  std::vector<double> mask;  ///< #F, how freely each face cracks (crack_mask.h); empty: all do
 };
 
 /// Mean length of the triangles' edges, those between two triangles counted twice; there must be a

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "craze/base/elementary.h"
+#include "craze/engine/initial_fields.h"
 #include "craze/mesh/components.h"
 #include "craze/model/screening.h"
+#include "craze/model/sources/crack_mask.h"
 
 namespace craze {
 
@@ -40,9 +42,17 @@ SpacedRun resolved(const Recipe& recipe, double diagonal) {
   return run;
 }
 
-void prepare(SpacedRun& run, SurfaceMesh repaired, const Context& context) {
+void prepare(SpacedRun& run, SurfaceMesh repaired, const Textures& textures,
+             const Context& context) {
   const auto begin = std::chrono::steady_clock::now();
   run.surface = simulation_surface(std::move(repaired), run.recipe, context);
+  const WhereParameters& where = run.recipe.simulation.where;
+  if (where.is_given()) {
+    const SurfaceMesh& mesh = run.surface.mesh;
+    run.surface.mask = crack_mask(mesh, TriangleMesh(mesh.positions, mesh.triangles), where,
+                                  find_texture(textures, where.texture, "where.texture"),
+                                  !run.surface.asset_face.empty());
+  }
   context.check();
   run.prepare = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -91,7 +101,7 @@ class LengthSearch {
 SpacedRun uncracked(SurfaceMesh repaired, const Recipe& recipe, const Textures& textures,
                     const Context& context) {
   SpacedRun run = resolved(recipe, bounding_diagonal(repaired.positions));
-  prepare(run, std::move(repaired), context);
+  prepare(run, std::move(repaired), textures, context);
   run.last = before_first_crack(run.surface, run.recipe.simulation, textures, context);
   return run;
 }
@@ -105,7 +115,7 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
                      !is_painted(recipe.simulation.layer);
   const std::int64_t rounds = asked ? recipe.simulation.layer.rounds : 0;
   if (rounds == 0) {
-    prepare(run, std::move(repaired), context);
+    prepare(run, std::move(repaired), textures, context);
     run.last = run_cycles(run.surface, run.recipe.simulation, textures, context);
     return run;
   }
@@ -115,7 +125,7 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
   double best_error = std::numeric_limits<double>::infinity();
   for (std::int64_t round = 0;; ++round) {
     try {
-      prepare(run, repaired, context);
+      prepare(run, repaired, textures, context);
       run.last = run_cycles(run.surface, run.recipe.simulation, textures, context);
     } catch (const Cancelled&) {
       if (!best) throw;
@@ -123,9 +133,13 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
       return std::move(*best);
     }
     const StopReason reason = run.last.reason;
-    if (round == 0 && is_cut_short(reason)) return run;
     const TriangleMesh& mesh = run.last.simulation->mesh();
-    const double ratio = mean_spacing(mesh, find_components(mesh).count) / spacing;
+    const double measured = run.surface.mask.empty()
+                                ? mean_spacing(mesh, find_components(mesh).count)
+                                : free_spacing(mesh, find_components(mesh), run.surface.mask);
+    // No place that cracks freely says what the spacing is.
+    if (round == 0 && (is_cut_short(reason) || measured == 0)) return run;
+    const double ratio = measured / spacing;
     const double length = run.recipe.simulation.layer.screening_length;
     const double error = is_cut_short(reason) ? best_error : std::abs(elementary::log(ratio));
     if (error < best_error) {
@@ -154,6 +168,24 @@ double mean_spacing(const TriangleMesh& cut_mesh, std::int64_t fragments) {
   double area = 0;
   for (std::int32_t f = 0; f < cut_mesh.face_count(); ++f) area += cut_mesh.area(f);
   return std::sqrt(area / static_cast<double>(std::max<std::int64_t>(1, fragments)));
+}
+
+double free_spacing(const TriangleMesh& cut_mesh, const Components& fragments,
+                    const std::vector<double>& mask) {
+  const auto parts = static_cast<std::size_t>(fragments.count);
+  std::vector<double> area(parts, 0), free(parts, 0);
+  for (std::int32_t f = 0; f < cut_mesh.face_count(); ++f) {
+    const double of_face = cut_mesh.area(f);
+    const std::int32_t part = fragments.face[f];
+    area[part] += of_face;
+    if (mask[cut_mesh.source_face(f)] == 1) free[part] += of_face;
+  }
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < parts; ++i) {
+    sum += free[i];
+    if (area[i] > 0) count += free[i] / area[i];
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 std::optional<std::string> spacing_warning(const LayerParameters& layer,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "craze/engine/cycles.h"
+#include "craze/mesh/components.h"
 
 namespace craze {
 
@@ -33,6 +34,12 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
 /// Mean spacing of a pattern, length: √(area / fragments), those at borders included, of which an
 /// open surface has few others where the spacing is a good part of its size.
 double mean_spacing(const TriangleMesh& cut_mesh, std::int64_t fragments);
+
+/// The same of a pattern on part of a surface, length: of the cut mesh's faces with mask 1 (#F of
+/// the mesh before its first cut), √(their area / fragments), a fragment that is only in part made
+/// of them counting as that part; 0 where there are none.
+double free_spacing(const TriangleMesh& cut_mesh, const Components& fragments,
+                    const std::vector<double>& mask);
 
 /// What the report says of a finished run whose spacing is off by over 15 %, and by more than
 /// chance does with so many fragments. None where no spacing was asked for or it is painted.

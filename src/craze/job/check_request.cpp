@@ -11,6 +11,7 @@
 #include "craze/io/files/extension.h"
 #include "craze/job/output_place.h"
 #include "craze/job/run.h"
+#include "craze/recipe/check_recipe.h"
 #include "craze/render/material.h"
 #include "craze/render/video.h"
 #include "craze/write_mesh.h"
@@ -112,7 +113,8 @@ void check_growth(const RunRequest& request) {
           "give the file: -o FILE.glb");
   }
   if (any) check_mesh_file(request.output, request.split_fragments, request.animate);
-  if (request.animate && request.recipe.post.gap == 0) {
+  if (request.animate && request.recipe.post.gap == 0 &&
+      request.recipe.post.gap_width.number() == 0) {
     wrong("nothing would move", "--animate",
           "the cracks stay shut; open them, for example with --set post.gap=0.05");
   }
@@ -136,10 +138,11 @@ void check_picture_path(const std::string& path) {
 }
 
 void check_request(const RunRequest& request) {
+  check_recipe(request.recipe);
   const bool report_file = !request.report.empty() && request.report != "-";
   const std::string none;
   const std::vector<Output> outputs{
-      {"the mesh", request.output, {".ply", ".obj", ".stl", ".glb"}},
+      {"the mesh", request.output, {".ply", ".obj", ".stl", ".glb", ".usda"}},
       {"the crack lines", request.lines, {".ply", ".obj", ".svg", ".json"}},
       {"the picture", request.picture, {".png"}},
       {"the video", request.video, {".mp4", ".webm"}},

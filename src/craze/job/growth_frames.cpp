@@ -32,7 +32,7 @@ class Photographer {
   Photographer(const GrowthScene& scene, const PostParameters& post,
                const render::PictureOptions& options, const Context& context)
       : scene_(scene), options_(options), mesh_(scene.shown.mesh) {
-    options_.subject = mesh_.positions;
+    options_.subject = render::subject_of(mesh_);
     mesh_.face_attributes.clear();  // fragments look alike before they are ones
     mesh_.corner_normals = picture_normals(scene.shown, scene.result, post, options_.crease);
     lines_ = picture_lines(scene.shown, scene.result, render::line_reach(mesh_, options_), context);
@@ -77,7 +77,7 @@ void write_frames(const RunRequest& request, const GrowthScene& scene,
                   const render::PictureOptions& options, const Context& context) {
   const bool pictures = request.frame_format == "png" || !request.video.empty();
   std::optional<Photographer> photographer;
-  if (pictures) photographer.emplace(scene, request.recipe.post, options, context);
+  if (pictures) photographer.emplace(scene, scene.result.report().recipe.post, options, context);
   std::optional<render::Video> video;
   if (!request.video.empty()) {
     video.emplace(followed(request.video).string(), options.width, options.height,

@@ -14,6 +14,7 @@
 #include "craze/products/field_mesh.h"
 #include "craze/products/growth/growth.h"
 #include "craze/products/statistics/graph/graph_input.h"
+#include "craze/recipe/own_lengths.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
 #include "craze/write_mesh.h"
@@ -28,8 +29,10 @@ bool shows_mesh(const RunRequest& request) {
            request.video.empty());
 }
 
-render::PictureOptions picture_options(const RunRequest& request) {
+render::PictureOptions picture_options(const RunRequest& request,
+                                       const std::vector<render::Look>& looks) {
   render::PictureOptions options = request.shot;
+  options.looks = looks;
   options.material = render::find_material(request.recipe.picture.material);
   options.view.up = request.recipe.picture.up;
   // Built-in shapes stand along z.
@@ -39,11 +42,12 @@ render::PictureOptions picture_options(const RunRequest& request) {
   return options;
 }
 
-void write_picture(const RunRequest& request, const OpenedSurface& shown, const Result& result,
-                   const Context& context) {
-  const render::PictureOptions options = picture_options(request);
+void write_picture(const RunRequest& request, render::PictureOptions options,
+                   const OpenedSurface& shown, const Result& result, const Context& context) {
   SurfaceMesh drawn = shown.mesh;
-  drawn.corner_normals = picture_normals(shown, result, request.recipe.post, options.crease);
+  options.subject = render::subject_of(drawn);
+  drawn.corner_normals =
+      picture_normals(shown, result, result.report().recipe.post, options.crease);
   const render::CrackLines lines =
       picture_lines(shown, result, render::line_reach(drawn, options), context);
   render::write_png(request.picture, render::render_picture(drawn, &lines, options, context),
@@ -52,7 +56,9 @@ void write_picture(const RunRequest& request, const OpenedSurface& shown, const 
 
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
 void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown,
-                           const Result& result, Report& report, const Context& context) {
+                           const Result& result, const std::vector<MaterialLook>& looks,
+                           const render::PictureOptions& picture, Report& report,
+                           const Context& context) {
   const bool frames = !request.frames.empty() || !request.video.empty();
   std::optional<Growth> growth;
   if (request.animate || frames) growth.emplace(result, shown);
@@ -63,36 +69,43 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
       animation = growth->animation(request.animation_stages, request.clip_seconds, context);
     }
     MeshFileOptions options;
+    const std::vector<MaterialLook> seen = looks_from(looks, request.input, request.output);
+    if (!seen.empty()) options.looks = &seen;
+    options.up = picture.view.up;
+    options.metres_per_unit = metres_per_unit(shown.mesh, result.report().recipe);
     if (request.split_fragments) options.objects = "fragment";
     if (request.animate) options.animation = &animation;
     options.warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
     write_mesh(request.output, shown.mesh, options, context);
   }
   if (frames) {
-    write_frames(request, {result, shown, *growth}, picture_options(request), context);
+    write_frames(request, {result, shown, *growth}, picture, context);
   }
 }
 
 }  // namespace
 
 std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request,
-                                                       const Result& result, Report& report,
+                                                       const Result& result,
+                                                       const MaterialLooks& looks, Report& report,
                                                        const Context& context) {
+  const render::PictureOptions picture = picture_options(request, looks.shown);
   GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
   context.check();
-  const OpenedSurface shown =
-      opened_surface(result, std::move(cut), std::move(times), request.recipe.post, context);
+  const OpenedSurface shown = opened_surface(result, std::move(cut), std::move(times),
+                                             result.report().recipe.post, context);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
-  write_mesh_and_growth(request, shown, result, report, context);
+  write_mesh_and_growth(request, shown, result, looks.of_file, picture, report, context);
   context.check();
-  if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), context);
+  const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
+  if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), warn, context);
   context.check();
   if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context), {}, context);
   context.check();
-  if (!request.picture.empty()) write_picture(request, shown, result, context);
+  if (!request.picture.empty()) write_picture(request, picture, shown, result, context);
   context.check();
   const CrackedSurface& state = result.state();
   if (request.report.empty() || state.network.edges.empty()) return {};

@@ -50,11 +50,14 @@ ExtractedPart extract_part(const SurfaceMesh& mesh, const std::vector<std::int32
   std::sort(part.vertices.begin(), part.vertices.end());
   part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()), part.vertices.end());
   SurfaceMesh& result = part.mesh;
+  result.metres_per_unit = mesh.metres_per_unit;
   result.positions = pick(mesh.positions, part.vertices);
   result.vertex_colors = pick(mesh.vertex_colors, part.vertices);
   result.face_materials = pick(mesh.face_materials, faces);
+  result.face_objects = pick(mesh.face_objects, faces);
   result.source_faces = pick(mesh.source_faces, faces);
   result.material_names = mesh.material_names;
+  result.object_names = mesh.object_names;
   for (const Attribute& a : mesh.vertex_attributes) {
     result.vertex_attributes.push_back(pick(a, part.vertices));
   }

@@ -172,6 +172,7 @@ TrianglePoint locate_in_triangle(const SurfaceMesh& surface, std::int32_t f, con
 SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& cut) {
   SurfaceMesh result;
   result.positions = cut.positions();
+  result.metres_per_unit = surface.metres_per_unit;
   result.triangles = cut.triangles();
   const CornerSources sources(surface, cut);
   const std::int32_t corners = 3 * cut.face_count();
@@ -219,12 +220,15 @@ SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& 
   }
   result.material_names = surface.material_names;
   const bool has_materials = !surface.face_materials.empty();
+  result.object_names = surface.object_names;
+  const bool has_objects = !surface.face_objects.empty();
   const bool has_sources = !surface.source_faces.empty();
   result.source_faces.reserve(cut.face_count());
   if (has_materials) result.face_materials.reserve(cut.face_count());
   for (std::int32_t f = 0; f < cut.face_count(); ++f) {
     const std::int32_t source = cut.source_face(f);
     if (has_materials) result.face_materials.push_back(surface.face_materials[source]);
+    if (has_objects) result.face_objects.push_back(surface.face_objects[source]);
     result.source_faces.push_back(has_sources ? surface.source_faces[source] : source);
   }
   return result;

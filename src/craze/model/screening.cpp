@@ -43,9 +43,10 @@ SimulationParameters resolve_lengths(SimulationParameters p, double diagonal) {
   }
   MaterialParameters& material = p.material;
   if (material.scatter_length == 0) {
-    material.scatter_length = material.relative_scatter_length > 0
-                                  ? material.relative_scatter_length * layer.screening_length
-                                  : p.stress.noise_length;
+    material.scatter_length = p.stress.noise_length;
+    if (material.relative_scatter_length > 0) {
+      material.scatter_length = material.relative_scatter_length * layer.screening_length;
+    }
   }
   if (material.lookahead == 0) {
     material.lookahead = material.relative_lookahead * layer.screening_length;
@@ -63,7 +64,8 @@ double adhesion(const LayerParameters& layer) {
 }
 
 double process_zone(const MaterialParameters& material, const LayerParameters& layer) {
-  return material.process_zone > 0 ? material.process_zone : 0.5 * layer.screening_length;
+  const double given = material.process_zone;
+  return given > 0 ? given : 0.5 * layer.screening_length;
 }
 
 }  // namespace craze

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "craze/error.h"
+#include "craze/recipe/length_text.h"
 #include "craze/recipe/nearest_name.h"
 #include "craze/recipe/parameter_table.h"
 #include "craze/recipe/utf8.h"
@@ -26,10 +27,15 @@ bool has_type(const ParameterValue& value, ParameterType type) {
     case ParameterType::choice:
     case ParameterType::string:
       return std::holds_alternative<std::string>(value);
+    case ParameterType::names:
+      return std::holds_alternative<std::vector<std::string>>(value);
+    case ParameterType::vec2:
+      return numbers && (numbers->empty() || numbers->size() == 2);
     case ParameterType::vec3:
       return numbers && numbers->size() == 3;
     case ParameterType::tensor6:
       return numbers && numbers->size() == 6;
+    case ParameterType::length:
     case ParameterType::edge:
       return std::holds_alternative<double>(value) || std::holds_alternative<std::string>(value);
   }
@@ -42,6 +48,13 @@ std::string join(const std::vector<std::string>& words) {
     text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
   }
   return text;
+}
+
+/// Enough of a UTF-8 text to know it again.
+std::string shortened(const std::string& text) {
+  std::size_t end = std::min<std::size_t>(text.size(), 40);
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  return text.substr(0, end) + (end < text.size() ? "..." : "");
 }
 
 }  // namespace
@@ -69,13 +82,26 @@ void check_value(const Parameter& p, const ParameterValue& value, const std::str
   if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
     for (const double x : *numbers) check_number(x);
   }
+  if (const auto* names = std::get_if<std::vector<std::string>>(&value)) {
+    for (const std::string& name : *names) {
+      if (!is_utf8(name)) fail(key + " is not text", "must be UTF-8");
+    }
+  }
   if (const auto* text = std::get_if<std::string>(&value)) {
     if (!is_utf8(*text)) fail(key + " is not text", "must be UTF-8");
     if (p.type == ParameterType::string) return;
     if (std::find(p.choices.begin(), p.choices.end(), *text) != p.choices.end()) return;
+    if (p.is_length()) {
+      if (const auto length = parse_length(*text)) return check_number(length->number());
+    }
+    if (p.type == ParameterType::length) {
+      fail(key + " is not a length: " + format_value(shortened(*text)),
+           "must be a number, or a number and right behind it one of " + join(length_suffixes()) +
+               ", such as 4mm");
+    }
     const std::string nearest = nearest_name(*text, p.choices);
     const std::string length = p.type == ParameterType::edge ? " or a length" : "";
-    fail(fmt::format("{} has no choice {}", key, format_value(value)),
+    fail(fmt::format("{} has no choice {}", key, format_value(shortened(*text))),
          (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "must be " + join(p.choices) +
              length);
   }
@@ -93,6 +119,7 @@ nlohmann::ordered_json parameters_to_json() {
     if (std::isfinite(p.range.high)) entry["maximum"] = p.range.high;
     if (p.range.low_open) entry["exclusive_minimum"] = true;
     if (!p.choices.empty()) entry["choices"] = p.choices;
+    if (p.is_length()) entry["units"] = length_suffixes();
     entry["symbol"] = p.symbol;
     entry["unit"] = p.unit;
     entry["help"] = p.help;

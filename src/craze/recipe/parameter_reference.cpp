@@ -17,11 +17,15 @@ std::string allowed(const Parameter& p) {
     case ParameterType::choice:
       return words;
     case ParameterType::edge:
-      return words + ", or " + range_in_words(p.range, p.type);
+      return words + ", or " + range_in_words(p.range, p.type) + ", or with a unit";
     case ParameterType::string:
       return "text";
     case ParameterType::boolean:
       return "true or false";
+    case ParameterType::names:
+      return "names, with * and ?";
+    case ParameterType::vec2:
+      return "[u, v]";
     case ParameterType::vec3:
       return "[x, y, z]";
     case ParameterType::tensor6:
@@ -29,9 +33,10 @@ std::string allowed(const Parameter& p) {
     case ParameterType::integer:
       return "whole number, " + range_in_words(p.range, p.type);
     case ParameterType::real:
+    case ParameterType::length:
       break;
   }
-  return range_in_words(p.range, p.type);
+  return range_in_words(p.range, p.type) + (p.is_length() ? ", or with a unit" : "");
 }
 
 std::string section_heading(const Parameter& p) {
@@ -74,8 +79,12 @@ std::string parameter_page() {
       "`--set section.key=value` takes the same keys, `--set impact.0.radius=2` those of the "
       "first\n"
       "impact. An unknown key, a wrong type or a value out of range is an error.\n\n"
-      "Units are those of the input: a length is in the mesh's own unit, a stress is a force per\n"
-      "length, relative to whatever the material's toughness is given in. [IO06] is Iben and\n"
+      "A length is a bare number in the mesh's own unit, or a text: `\"4mm\"`, `\"0.5in\"`, also "
+      "in "
+      "`um`,\n`cm`, `m`, `km` and `ft`, or `\"3%\"` of the diagonal of the box around the object. "
+      "glTF is in\nmetres; for files that do not say, `mesh.unit` does. The report has the numbers "
+      "that came of them.\nA position is in the mesh's own unit. A stress is a force per "
+      "length,\nrelative to whatever the material's toughness is given in. [IO06] is Iben and\n"
       "O'Brien, *Generating Surface Crack Patterns*, SCA 2006; [CSM03] is Cohen-Steiner and "
       "Morvan,\n"
       "*Restricted Delaunay Triangulations and Normal Cycle*, SCG 2003.\n";

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "craze/recipe/length_text.h"
 #include "craze/recipe/parameter_table.h"
 
 namespace craze {
@@ -23,6 +24,15 @@ inline ParameterValue to_value(std::int64_t x, const Parameter&) {
 inline ParameterValue to_value(std::uint64_t x, const Parameter&) {
   return static_cast<std::int64_t>(x);
 }
+inline ParameterValue to_value(bool x, const Parameter&) {
+  return x;
+}
+inline ParameterValue to_value(const std::vector<std::string>& x, const Parameter&) {
+  return x;
+}
+inline ParameterValue to_value(const std::vector<double>& x, const Parameter&) {
+  return x;
+}
 inline ParameterValue to_value(const std::string& x, const Parameter&) {
   return x;
 }
@@ -32,8 +42,12 @@ inline ParameterValue to_value(const Vec3& x, const Parameter&) {
 inline ParameterValue to_value(const std::array<double, 6>& x, const Parameter&) {
   return std::vector<double>(x.begin(), x.end());
 }
+inline ParameterValue to_value(const Length& x, const Parameter&) {
+  if (x.unit() == LengthUnit::own) return x.number();
+  return format_length(x);
+}
 inline ParameterValue to_value(const EdgeLength& x, const Parameter& p) {
-  if (x.kind == EdgeLength::Kind::given) return x.length;
+  if (x.kind == EdgeLength::Kind::given) return to_value(x.length, p);
   return p.choices[static_cast<std::size_t>(x.kind)];
 }
 template <class Enum>
@@ -54,6 +68,15 @@ inline void from_value(const ParameterValue& v, const Parameter&, std::int64_t& 
 inline void from_value(const ParameterValue& v, const Parameter&, std::uint64_t& x) {
   x = static_cast<std::uint64_t>(std::get<std::int64_t>(v));
 }
+inline void from_value(const ParameterValue& v, const Parameter&, bool& x) {
+  x = std::get<bool>(v);
+}
+inline void from_value(const ParameterValue& v, const Parameter&, std::vector<std::string>& x) {
+  x = std::get<std::vector<std::string>>(v);
+}
+inline void from_value(const ParameterValue& v, const Parameter&, std::vector<double>& x) {
+  x = std::get<std::vector<double>>(v);
+}
 inline void from_value(const ParameterValue& v, const Parameter&, std::string& x) {
   x = std::get<std::string>(v);
 }
@@ -65,11 +88,17 @@ inline void from_value(const ParameterValue& v, const Parameter&, std::array<dou
   const auto& numbers = std::get<std::vector<double>>(v);
   std::copy(numbers.begin(), numbers.end(), x.begin());
 }
+inline void from_value(const ParameterValue& v, const Parameter&, Length& x) {
+  const auto* text = std::get_if<std::string>(&v);
+  x = text ? *parse_length(*text) : Length(std::get<double>(v));
+}
 inline void from_value(const ParameterValue& v, const Parameter& p, EdgeLength& x) {
-  if (const auto* word = std::get_if<std::string>(&v)) {
+  const auto* word = std::get_if<std::string>(&v);
+  if (word && !parse_length(*word)) {
     x = {static_cast<EdgeLength::Kind>(choice_index(p, *word)), 0};
   } else {
-    x = {EdgeLength::Kind::given, std::get<double>(v)};
+    x.kind = EdgeLength::Kind::given;
+    from_value(v, p, x.length);
   }
 }
 template <class Enum>
@@ -81,10 +110,14 @@ void from_value(const ParameterValue& v, const Parameter& p, Enum& x) {
 template <class Field>
 constexpr ParameterType type_of() {
   if constexpr (std::is_same_v<Field, double>) return ParameterType::real;
+  if constexpr (std::is_same_v<Field, bool>) return ParameterType::boolean;
+  if constexpr (std::is_same_v<Field, std::vector<std::string>>) return ParameterType::names;
+  if constexpr (std::is_same_v<Field, std::vector<double>>) return ParameterType::vec2;
   if constexpr (std::is_integral_v<Field>) return ParameterType::integer;
   if constexpr (std::is_enum_v<Field>) return ParameterType::choice;
   if constexpr (std::is_same_v<Field, Vec3>) return ParameterType::vec3;
   if constexpr (std::is_same_v<Field, std::array<double, 6>>) return ParameterType::tensor6;
+  if constexpr (std::is_same_v<Field, Length>) return ParameterType::length;
   if constexpr (std::is_same_v<Field, EdgeLength>) return ParameterType::edge;
   return ParameterType::string;
 }

@@ -41,7 +41,11 @@ std::vector<Parameter> make_table() {
       .add("output", &MeshParameters::output, any,
            {.help = "what the cracks are cut into: \"asset\": the input's own triangles, which are "
                     "split only where a crack passes; \"simulation\": the mesh they grew on",
-            .choices = {"asset", "simulation"}});
+            .choices = {"asset", "simulation"}})
+      .add("unit", &MeshParameters::unit, any,
+           {.help = "unit of the input, where its file says none (glTF is in metres): what lengths "
+                    "such as 4mm are measured in",
+            .choices = {"none", "um", "mm", "cm", "m", "km", "in", "ft"}});
 
   Section(
       t, "stress.", [](auto& r, std::size_t) -> auto& { return r.simulation.stress; })
@@ -82,9 +86,18 @@ std::vector<Parameter> make_table() {
   Section(
       t, "impact.", [](auto& r, std::size_t index) -> auto& { return r.simulation.impacts[index]; })
       .add("point", &Impact::point, any,
-           {.help = "where the surface is hit", .unit = "length", .source = "[IO06 §4.1, Fig. 3]"})
+           {.help = "where the surface is hit: at the place nearest to it, no farther away than a "
+                    "tenth of the object's diagonal",
+            .unit = "position",
+            .source = "[IO06 §4.1, Fig. 3]"})
+      .add("direction", &Impact::direction, any,
+           {.help = "instead of point: what hits comes from outside in this direction toward the "
+                    "middle of the object's box, [0, 0, -1] from above; zero: point"})
+      .add("uv", &Impact::uv, any, {.help = "instead of point: the place with this UV; []: point"})
       .add("radius", &Impact::radius, positive,
            {.help = "within it the amplitudes hold in full", .unit = "length"})
+      .add("relative_radius", &Impact::relative_radius, not_negative,
+           {.help = "instead of radius: as part of the object's diagonal; 0: radius"})
       .add("radial", &Impact::radial, any,
            {.help = "tension along the rays: opens rings", .unit = "stress"})
       .add("hoop", &Impact::hoop, any,
@@ -172,6 +185,20 @@ std::vector<Parameter> make_table() {
            {.help = "file of a grey picture in UV space that multiplies it too"});
 
   Section(
+      t, "where.", [](auto& r, std::size_t) -> auto& { return r.simulation.where; })
+      .add("materials", &WhereParameters::materials, any,
+           {.help = "names of the materials that crack, * and ? standing for any letters; []: all"})
+      .add("nodes", &WhereParameters::nodes, any,
+           {.help = "names of the objects that crack, likewise: nodes of glTF, o and g of OBJ"})
+      .add("attribute", &WhereParameters::attribute, any,
+           {.help = "name of a scalar attribute of the input, 0 … 1: at 0 no crack, ever, at 1 as "
+                    "without it, between ever fewer"})
+      .add("texture", &WhereParameters::texture, any,
+           {.help = "file of a grey picture in UV space that multiplies it"})
+      .add("invert", &WhereParameters::invert, any,
+           {.help = "the rest of the surface cracks instead: 1 minus the product of all four"});
+
+  Section(
       t, "evolution.", [](auto& r, std::size_t) -> auto& { return r.simulation.evolution; })
       .add("shrinkage", &EvolutionParameters::shrinkage, not_negative,
            {.help = "tension added everywhere per step (euler)",
@@ -254,6 +281,11 @@ std::vector<Parameter> make_table() {
            {.help = "how far cracks open: scales the displacement",
             .symbol = "γ",
             .source = "[IO06 Eq. 9]"})
+      .add(
+          "gap_width", &PostParameters::gap_width, not_negative,
+          {.help = "instead of gap: how wide cracks open on average over their length, tapering to "
+                   "their tips",
+           .unit = "length"})
       .add("wall", &PostParameters::wall, not_negative,
            {.help = "depth of the side walls of open cracks; 0: none",
             .unit = "length",

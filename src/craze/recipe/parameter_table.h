@@ -32,6 +32,8 @@ struct Parameter {
   std::string name() const;     ///< "toughness"
   /// One of any number: the keys of [[impact]].
   bool repeated() const { return section() == "impact"; }
+  /// Numbers that may have a unit (length_text.h).
+  bool is_length() const { return type == ParameterType::length || type == ParameterType::edge; }
   /// As in a recipe that says nothing.
   ParameterValue default_value() const;
 };
@@ -48,7 +50,7 @@ void check_value(const Parameter& parameter, const ParameterValue& value, const 
                  const std::string& where);
 
 /// The table as a JSON array, for the bindings: key, section, name, type, default, minimum,
-/// maximum, exclusive_minimum, choices, symbol, unit, help, source, repeated.
+/// maximum, exclusive_minimum, choices, units, symbol, unit, help, source, repeated.
 nlohmann::ordered_json parameters_to_json();
 
 }  // namespace craze

@@ -36,11 +36,12 @@ struct Formatter {
   std::string operator()(std::int64_t x) const { return std::to_string(x); }
   std::string operator()(bool x) const { return x ? "true" : "false"; }
   std::string operator()(const std::string& x) const { return quote(x); }
-  std::string operator()(const std::vector<double>& x) const {
+  template <class T>
+  std::string operator()(const std::vector<T>& x) const {
     std::string text = "[";
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (i > 0) text += ", ";
-      text += format_real(x[i]);
+      text += (*this)(x[i]);
     }
     return text + "]";
   }
@@ -51,6 +52,7 @@ struct Formatter {
 std::string type_name(ParameterType type) {
   switch (type) {
     case ParameterType::real:
+    case ParameterType::length:
       return "real";
     case ParameterType::integer:
       return "integer";
@@ -60,6 +62,10 @@ std::string type_name(ParameterType type) {
       return "choice";
     case ParameterType::string:
       return "string";
+    case ParameterType::names:
+      return "names";
+    case ParameterType::vec2:
+      return "vec2";
     case ParameterType::vec3:
       return "vec3";
     case ParameterType::tensor6:
@@ -82,10 +88,16 @@ std::string type_in_words(ParameterType type) {
       return "a word";
     case ParameterType::string:
       return "a text";
+    case ParameterType::names:
+      return "a list of names [\"a\", \"b*\"]";
+    case ParameterType::vec2:
+      return "two numbers [u, v], or none []";
     case ParameterType::vec3:
       return "three numbers [x, y, z]";
     case ParameterType::tensor6:
       return "six numbers [xx, yy, zz, xy, yz, zx]";
+    case ParameterType::length:
+      return "a number, or one with a unit, such as 4mm or 3%";
     case ParameterType::edge:
       return "\"auto\", \"keep\" or a length";
   }

@@ -10,11 +10,25 @@
 
 namespace craze {
 
-enum class ParameterType { real, integer, boolean, choice, string, vec3, tensor6, edge };
+enum class ParameterType {
+  real,
+  integer,
+  boolean,
+  choice,
+  string,
+  names,
+  vec2,
+  vec3,
+  tensor6,
+  length,
+  edge
+};
 
-/// real: double; integer: int64; boolean: bool; choice, string: text; vec3, tensor6: 3 or 6
-/// numbers; edge: a length (double) or a word.
-using ParameterValue = std::variant<double, std::int64_t, bool, std::string, std::vector<double>>;
+/// real: double; integer: int64; boolean: bool; choice, string: text; names: any number of texts;
+/// vec2: 2 numbers or none; vec3, tensor6: 3 or 6 numbers; length: a number (double), or text with
+/// its unit; edge: that, or a word.
+using ParameterValue = std::variant<double, std::int64_t, bool, std::string, std::vector<double>,
+                                    std::vector<std::string>>;
 
 /// Which numbers a parameter may take. Infinite ends stand for "no limit"; no value is infinite.
 struct ParameterRange {
@@ -25,7 +39,7 @@ struct ParameterRange {
   bool contains(double x) const { return (low_open ? x > low : x >= low) && x <= high; }
 };
 
-/// "real", "integer", …, as in the JSON dump.
+/// "real", "integer", …, as in the JSON dump; lengths are reals there, which may have a unit.
 std::string type_name(ParameterType type);
 
 /// What an error says a value must be: "a number", "three numbers [x, y, z]", …

@@ -2,29 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "craze/recipe/parameter_table.h"
+#include "craze/recipe/each_parameter.h"
 #include "craze/recipe/recipe_json.h"
 
 namespace craze {
-
-namespace {
-
-/// Calls visit(parameter, index, section) for every parameter a recipe holds, in order.
-template <class Visit>
-void for_each_parameter(const Recipe& recipe, Visit&& visit) {
-  const auto& table = parameter_table();
-  for (auto p = table.begin(); p != table.end();) {
-    auto end = p;
-    while (end != table.end() && end->section() == p->section()) ++end;
-    const std::size_t copies = p->repeated() ? recipe.simulation.impacts.size() : 1;
-    for (std::size_t index = 0; index < copies; ++index) {
-      for (auto q = p; q != end; ++q) visit(*q, index, q == p);
-    }
-    p = end;
-  }
-}
-
-}  // namespace
 
 bool operator==(const Recipe& a, const Recipe& b) {
   if (a.simulation.impacts.size() != b.simulation.impacts.size()) return false;

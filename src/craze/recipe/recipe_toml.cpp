@@ -71,8 +71,22 @@ toml::table parse(std::string_view text, const std::string& name) {
   }
 }
 
-/// The node's value in the type that the parameter asks for; a whole number serves as a real one.
+std::optional<ParameterValue> to_names(const toml::node& node) {
+  if (const auto* x = node.as_string()) return std::vector<std::string>{x->get()};
+  const auto* array = node.as_array();
+  if (!array) return std::nullopt;
+  std::vector<std::string> names;
+  for (const toml::node& element : *array) {
+    if (!element.is_string()) return std::nullopt;
+    names.push_back(*element.value<std::string>());
+  }
+  return names;
+}
+
+/// The node's value in the type that the parameter asks for; a whole number serves as a real one,
+/// and a name as a list of one.
 std::optional<ParameterValue> to_value(const toml::node& node, ParameterType type) {
+  if (type == ParameterType::names) return to_names(node);
   const bool wants_real = type != ParameterType::integer;
   if (const auto* x = node.as_integer()) {
     return wants_real ? ParameterValue(static_cast<double>(x->get())) : ParameterValue(x->get());
@@ -158,9 +172,11 @@ Target find_target(const Recipe& recipe, const std::string& key, const std::stri
   return {index, std::string(impact_prefix) + std::string(rest + 1, end)};
 }
 
-bool takes_words(ParameterType type) {
+/// Whether the value may be text without quotes.
+bool takes_words(ParameterType type, const std::string& text) {
+  if (type == ParameterType::names) return text.empty() || text[0] != '[';
   return type == ParameterType::string || type == ParameterType::choice ||
-         type == ParameterType::edge;
+         type == ParameterType::length || type == ParameterType::edge;
 }
 
 /// Numbers as people write them, ".06", "1.", "+1", as TOML wants them: "0.06", "1.0", "+1". All
@@ -181,8 +197,9 @@ std::string with_whole_numbers(const std::string& text) {
 /// The text after "=" as a node: TOML, or the bare text where the parameter takes words.
 toml::table parse_setting(const Parameter& p, const std::string& text, const std::string& where) {
   const bool quoted = !text.empty() && (text[0] == '"' || text[0] == '\'');
+  const bool words = takes_words(p.type, text);
   toml::table table;
-  if (p.type == ParameterType::edge || quoted || !takes_words(p.type)) {
+  if (p.is_length() || quoted || !words) {
     try {
       check_nesting(text, where);
       table = toml::parse("value = " + (quoted ? text : with_whole_numbers(text)));
@@ -191,7 +208,7 @@ toml::table parse_setting(const Parameter& p, const std::string& text, const std
       table.clear();
     }
   }
-  if (!takes_words(p.type) || quoted) {
+  if (!words || quoted) {
     fail("wrong type for " + p.key, where, "must be " + type_in_words(p.type));
   }
   table.clear();

@@ -215,6 +215,15 @@ TEST(GltfInstancing, EachInstanceIsPlacedBelowItsNode) {
   EXPECT_EQ(mesh.positions[4], Vec3(13, 0, 2));
 }
 
+TEST(GltfObjects, FacesBelongToTheNodeThatShowsThem) {
+  Document document = triangle();
+  document.json["nodes"] = Json::parse(
+      R"([{"name": "truck", "children": [1, 2]}, {"name": "wheel", "mesh": 0}, {"mesh": 0}])");
+  const SurfaceMesh mesh = document.read().mesh;
+  EXPECT_EQ(mesh.object_names, (std::vector<std::string>{"wheel", "node_2"}));
+  EXPECT_EQ(mesh.face_objects, (std::vector<std::int32_t>{0, 1}));
+}
+
 TEST(GltfQuantization, SmallIntegersAreCoordinates) {
   Document document;
   document.json["extensionsRequired"] = {"KHR_mesh_quantization"};

@@ -144,7 +144,19 @@ TEST(Obj, LinesOfOtherKindsAreNamed) {
   const MeshFile file = read_mesh(
       "mtllib a.mtl\ng a\ng b\n" + std::string(square) + "l 1 2\nf 1 2 3\ns off\n", "a.obj");
   ASSERT_EQ(file.warnings.size(), 1u);
-  EXPECT_EQ(file.warnings[0], "lines of these kinds are not kept: 2 'g', 1 'l', 1 'mtllib'");
+  EXPECT_EQ(file.warnings[0], "lines of these kinds are not kept: 1 'l', 1 'mtllib'");
+}
+
+TEST(Obj, FacesBelongToTheObjectAndGroupNamedBeforeThem) {
+  const auto mesh = read(std::string(square) +
+                         "f 1 2 3\no cup\nf 1 2 3\ng rim\nf 1 2 3\ng foot\nf 1 2 3\n"
+                         "o  my saucer \nf 1 2 3\no cup\ng rim\nf 1 2 3\ng\nf 1 2 3\n");
+  EXPECT_EQ(mesh.object_names,
+            (std::vector<std::string>{"cup", "cup/rim", "cup/foot", "my saucer"}));
+  EXPECT_EQ(mesh.face_objects, (std::vector<std::int32_t>{-1, 0, 1, 2, 3, 1, 0}));
+  EXPECT_EQ(read("g a b\n" + std::string(square) + "f 1 2 3\n").object_names,
+            (std::vector<std::string>{"a b"}));
+  EXPECT_TRUE(read(std::string(square) + "f 1 2 3\n").face_objects.empty());
 }
 
 }  // namespace

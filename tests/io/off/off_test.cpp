@@ -49,7 +49,10 @@ TEST(Off, OtherDimensionsAndBinaryAreRefusedByName) {
 TEST(Off, TokensMayStandOnAnyLine) {
   const std::vector<Triangle> expected{{0, 1, 2}, {0, 2, 3}};
   for (const char* text : {"OFF 4 1 0 0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3",
-                           "OFF\n4\n1\n0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1\n2 3\n"}) {
+                           "OFF\n4\n1\n0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1\n2 3\n",
+                           // As many lines as rows, but not a row a line.
+                           "OFF\n4 1 0\n0 0 0 1 0 0\n1 1\n0\n0 1 0\n4 0 1 2 3\n",
+                           "OFF\n4 1 0\n0 0 0 1 0\n0 1 1 0\n0 1 0\n4 0 1\n2 3\n"}) {
     EXPECT_EQ(read(text).triangles, expected) << text;
   }
 }

@@ -75,6 +75,7 @@ std::vector<T> face_values(const std::vector<T>& old, const CutAsset& cut) {
 
 SurfaceMesh cut_surface(const SurfaceMesh& asset, const CutAsset& cut) {
   SurfaceMesh result;
+  result.metres_per_unit = asset.metres_per_unit;
   result.positions = cut.positions;
   result.triangles = cut.triangles;
   result.corner_uvs =
@@ -94,6 +95,8 @@ SurfaceMesh cut_surface(const SurfaceMesh& asset, const CutAsset& cut) {
   }
   result.face_materials = face_values(asset.face_materials, cut);
   result.material_names = asset.material_names;
+  result.face_objects = face_values(asset.face_objects, cut);
+  result.object_names = asset.object_names;
   result.source_faces =
       asset.source_faces.empty() ? cut.face_source : face_values(asset.source_faces, cut);
   return result;

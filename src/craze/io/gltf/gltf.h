@@ -14,7 +14,8 @@ namespace craze {
 /// placed as the file stands: by its nodes' transforms, or by joints where the mesh has a skin;
 /// morph targets with the weights of the node or else of the mesh; EXT_mesh_gpu_instancing
 /// followed. Lists, strips and fans; POSITION, NORMAL, TEXCOORD_0 (v turned to count upwards),
-/// COLOR_0 and custom `_NAME` attributes (as "name"); material names. Vertices are as the file has
+/// COLOR_0 and custom `_NAME` attributes (as "name"); material names; the
+/// names of the nodes as objects ("node_N" for one without). Vertices are as the file has
 /// them, so seams stay open. Buffers may be data URIs, GLB's chunk, or files that the source
 /// brings. Warns of what is left out. Data compressed with Draco or meshopt are refused, and so are
 /// files that require an extension that is not known here. Instances may expand a file to at most 4

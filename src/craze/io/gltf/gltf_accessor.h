@@ -34,6 +34,8 @@ class GltfAccessors {
   std::size_t count(std::size_t accessor) const;
   /// Whether it has data, or zeros stand for them.
   bool has_data(std::size_t accessor) const;
+  /// The bytes of a buffer view, checked to lie in its buffer.
+  std::string_view view(std::size_t buffer_view);
   /// Bytes the loader has brought so far.
   std::size_t loaded_bytes() const { return loaded_bytes_; }
 
@@ -51,7 +53,6 @@ class GltfAccessors {
   void decode(const Layout& in, std::size_t accessor, double* out) const;
   /// Puts the elements that a sparse accessor gives instead into `out`.
   void substitute(const Json& sparse, const Layout& base, std::size_t accessor, double* out);
-  std::string_view view(std::size_t buffer_view);
   std::string_view buffer(std::size_t index);
   std::string_view source(const std::string& uri);
 

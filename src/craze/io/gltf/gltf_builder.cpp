@@ -49,12 +49,26 @@ const std::vector<Eigen::Matrix4d>& GltfBuilder::joints_of(std::size_t skin) {
 void GltfBuilder::add(const GltfInstance& instance) {
   const Json& mesh = json_.item(root_, "meshes", instance.mesh);
   const std::vector<double> weights = morph_weights(mesh, instance.node);
+  object_ = object_of(instance);
   std::map<std::string, Placed> placed;
   for (const Json& primitive : json_.array(mesh, "primitives")) {
     spend(primitive_cost);
     if (!primitive.is_object()) json_.fail("a primitive is not an object");
     add_primitive(primitive, instance, weights, placed);
   }
+}
+
+std::int32_t GltfBuilder::object_of(const GltfInstance& instance) {
+  const std::size_t key = instance.node ? instance.node_index : instance.mesh;
+  const auto [found, is_new] =
+      objects_.try_emplace(key, static_cast<std::int32_t>(mesh_.object_names.size()));
+  if (is_new) {
+    const Json& named = instance.node ? *instance.node : root_["meshes"][instance.mesh];
+    const std::string name = json_.text(named, "name");
+    const char* kind = instance.node ? "node" : "mesh";
+    mesh_.object_names.push_back(name.empty() ? fmt::format("{}_{}", kind, key) : name);
+  }
+  return found->second;
 }
 
 void GltfBuilder::add_primitive(const Json& json, const GltfInstance& instance,
@@ -109,6 +123,7 @@ void GltfBuilder::add_triangles(const std::vector<std::uint32_t>& indices, std::
     if (mirrored) std::swap(b, c);
     mesh_.triangles.push_back({vertex(a), vertex(b), vertex(c)});
     mesh_.face_materials.push_back(material);
+    mesh_.face_objects.push_back(object_);
   };
   if (mode == triangles_mode) {
     for (std::size_t i = 0; i + 2 < n; i += 3) add(i, i + 1, i + 2);

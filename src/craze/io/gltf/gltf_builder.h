@@ -49,6 +49,8 @@ class GltfBuilder {
     std::optional<GltfSkinning> joints;
   };
 
+  /// The node, by number; the mesh where the file has no nodes.
+  std::int32_t object_of(const GltfInstance& instance);
   void add_primitive(const Json& primitive, const GltfInstance& instance,
                      const std::vector<double>& weights, std::map<std::string, Placed>& placed);
   Placed add_vertices(GltfPrimitive& primitive, const GltfInstance& instance);
@@ -70,6 +72,8 @@ class GltfBuilder {
   std::size_t budget_, spent_ = 0;
   std::size_t skipped_primitives_ = 0;                          ///< of points and lines
   std::map<std::size_t, std::vector<Eigen::Matrix4d>> joints_;  ///< by skin
+  std::map<std::size_t, std::int32_t> objects_;                 ///< by node, or mesh without
+  std::int32_t object_ = -1;                                    ///< of the instance at hand
   SurfaceMesh mesh_;
   std::vector<Vec2> uvs_;      ///< per vertex, as far as given
   std::vector<Vec3> normals_;  ///< per vertex, as far as given; zero: none

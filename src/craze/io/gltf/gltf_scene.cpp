@@ -84,20 +84,20 @@ std::vector<GltfInstance> scene_instances(const Json& root, GltfNodes& nodes,
   std::vector<GltfInstance> instances;
   if (!root.contains("nodes")) {
     for (std::size_t m = 0; m < json.array(root, "meshes").size(); ++m) {
-      instances.push_back({m, Mat4::Identity(), std::nullopt, nullptr});
+      instances.push_back({m, Mat4::Identity(), std::nullopt, nullptr, 0});
     }
     return instances;
   }
 
-  const auto add = [&](const Json& node, const Mat4& world, std::size_t mesh) {
+  const auto add = [&](std::size_t at, const Json& node, const Mat4& world, std::size_t mesh) {
     const auto skin = json.index(node, "skin");
     const GpuInstances copies(node, accessors, most - instances.size(), json);
-    if (!copies.is_instanced()) instances.push_back({mesh, world, skin, &node});
+    if (!copies.is_instanced()) instances.push_back({mesh, world, skin, &node, at});
     for (std::size_t i = 0; i < copies.count(); ++i) {
       const Mat4 placed = world * copies.transform(i);
       if (!placed.allFinite())
         json.fail(fmt::format("the transform of instance {} is not finite", i));
-      instances.push_back({mesh, placed, skin, &node});
+      instances.push_back({mesh, placed, skin, &node, at});
     }
     if (instances.size() >= most) {
       json.fail("it has more instances than its size allows; join them before");
@@ -115,7 +115,7 @@ std::vector<GltfInstance> scene_instances(const Json& root, GltfNodes& nodes,
     if (seen[at]) json.fail(fmt::format("node {} is reached by two ways", at));
     seen[at] = true;
     const Mat4& world = nodes.world(at);
-    if (const auto mesh = json.index(node, "mesh")) add(node, world, *mesh);
+    if (const auto mesh = json.index(node, "mesh")) add(at, node, world, *mesh);
     const Json& children = json.array(node, "children");
     for (auto child = children.rbegin(); child != children.rend(); ++child) {
       stack.push_back(json.as_index(*child, "children"));

@@ -41,6 +41,13 @@ class ObjReader {
         read_face();
       } else if (keyword == "usemtl") {
         use_material(text_.rest_of_line());
+      } else if (keyword == "o") {
+        object_ = text_.rest_of_line();
+        group_.clear();
+        begin_object();
+      } else if (keyword == "g") {
+        group_ = text_.rest_of_line();
+        begin_object();
       } else if (!keyword.empty() && keyword != "s") {
         leave_out(keyword);
       }
@@ -49,6 +56,7 @@ class ObjReader {
     SurfaceMesh mesh = triangulate(std::move(soup_), source_);
     warn_of_left_out();
     mesh.material_names = std::move(material_names_);
+    mesh.object_names = std::move(object_names_);
     if (!colors_.empty()) {
       colors_.resize(mesh.positions.size(), Color{1, 1, 1, 1});
       mesh.vertex_colors = std::move(colors_);
@@ -99,6 +107,7 @@ class ObjReader {
     soup_.close_polygon();
     soup_.lines.push_back(text_.line());
     if (!material_names_.empty()) soup_.materials.push_back(material_);
+    if (!object_names_.empty()) soup_.objects.push_back(object_index_);
   }
 
   /// Counted from 1, or backwards from −1, the last one read so far; the upper end is checked when
@@ -157,6 +166,21 @@ class ObjReader {
     material_ = found->second;
   }
 
+  /// Faces from here on belong to "o", "g" or "o/g", by what the file has said.
+  void begin_object() {
+    const std::string name =
+        object_.empty() || group_.empty() ? object_ + group_ : object_ + "/" + group_;
+    if (name.empty()) {
+      object_index_ = -1;
+      return;
+    }
+    if (object_names_.empty()) soup_.objects.assign(soup_.ends.size(), -1);
+    const auto [found, is_new] =
+        object_indices_.try_emplace(name, static_cast<std::int32_t>(object_names_.size()));
+    if (is_new) object_names_.push_back(name);
+    object_index_ = found->second;
+  }
+
   const MeshSource& source_;
   TextCursor text_;
   PolygonSoup soup_;
@@ -164,6 +188,10 @@ class ObjReader {
   std::vector<std::string> material_names_;
   std::unordered_map<std::string, std::int32_t> material_indices_;
   std::int32_t material_ = -1;
+  std::string object_, group_;  ///< as the last `o` and `g` said
+  std::vector<std::string> object_names_;
+  std::unordered_map<std::string, std::int32_t> object_indices_;
+  std::int32_t object_index_ = -1;
   std::map<std::string, std::size_t> left_out_;  ///< lines by keyword
 };
 

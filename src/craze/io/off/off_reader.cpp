@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -80,7 +81,7 @@ std::vector<Color> to_colors(const std::vector<RawColor>& raw) {
 }
 
 /// Numbers are tokens, wherever lines end. Only what may be missing, colours and their alpha, is
-/// sought on the rest of the line, and only where the file has a line for every vertex and face.
+/// sought on the rest of the line, and only where every vertex and face has a line of its own.
 class OffReader {
  public:
   explicit OffReader(const MeshSource& source)
@@ -114,14 +115,36 @@ class OffReader {
   }
 
   bool has_line_per_row() {
-    if (!line_per_row_) {
-      const std::size_t rows = vertices_ + faces_;
-      TextCursor lines = body_;
-      std::size_t count = 0;
-      for (; count < rows && lines.skip_blank(); ++count) lines.skip_line();
-      line_per_row_ = count == rows;
-    }
+    if (!line_per_row_) line_per_row_ = rows_fit_lines();
     return *line_per_row_;
+  }
+
+  /// Whether each vertex and face has a line with all the numbers that it needs.
+  bool rows_fit_lines() const {
+    TextCursor lines = body_;
+    const std::size_t of_vertex =
+        std::size_t{3} + (kind_.normals ? 3 : 0) + (kind_.colors ? 3 : 0) + (kind_.uvs ? 2 : 0);
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      if (!lines.skip_blank() || words_to_line_end(lines, of_vertex) < of_vertex) return false;
+      lines.skip_line();
+    }
+    for (std::size_t f = 0; f < faces_; ++f) {
+      if (!lines.skip_blank()) return false;
+      const std::string_view word = lines.word();
+      std::size_t corners = 0;
+      const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), corners);
+      if (status != std::errc{} || end != word.data() + word.size()) return false;
+      if (words_to_line_end(lines, corners) < corners) return false;
+      lines.skip_line();
+    }
+    return true;
+  }
+
+  /// At most `enough`.
+  static std::size_t words_to_line_end(TextCursor& text, std::size_t enough) {
+    std::size_t count = 0;
+    for (; count < enough && text.more_on_line(); ++count) text.word();
+    return count;
   }
 
   /// Numbers on the rest of the line, at most four; what follows them is skipped too.

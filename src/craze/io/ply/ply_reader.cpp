@@ -115,6 +115,11 @@ class PlyReader {
     }
     add_strips();
     source_.textures = header.textures;
+    if (source_.looks && header.textures.size() == 1) {
+      MaterialLook look;
+      look.texture_file = header.textures[0];
+      source_.looks->assign(std::max<std::size_t>(1, header.materials.size()), look);
+    }
     link_corners();
     SurfaceMesh mesh = triangulate(std::move(soup_), source_);
     mesh.vertex_colors = std::move(colors_);

@@ -58,6 +58,7 @@ class Triangulator {
       mesh.triangles.push_back({corners[t[0]].vertex, corners[t[1]].vertex, corners[t[2]].vertex});
       mesh.source_faces.push_back(static_cast<std::int32_t>(polygon));
       if (!soup_.materials.empty()) mesh.face_materials.push_back(soup_.materials[polygon]);
+      if (!soup_.objects.empty()) mesh.face_objects.push_back(soup_.objects[polygon]);
       for (const std::int32_t i : t) add_corner(corners[i]);
     }
   }

@@ -23,16 +23,17 @@ struct PolygonSoup {
   std::vector<std::size_t> ends;        ///< per polygon: one past its last corner
   std::vector<std::size_t> lines;       ///< per polygon: its line in the file, or empty
   std::vector<std::int32_t> materials;  ///< per polygon, or empty
+  std::vector<std::int32_t> objects;    ///< per polygon, or empty
 
   /// Ends the polygon whose corners were appended last.
   void close_polygon() { ends.push_back(corners.size()); }
 };
 
 /// Checks every index, cuts the polygons into triangles and fills positions, triangles,
-/// source_faces, corner_uvs, corner_normals and face_materials. Polygons of fewer than three
-/// corners vanish. A corner without a UV gets (0, 0), one without a normal its triangle's; warns
-/// where they were never given. Throws Error(input) for a vertex out of range and where no triangle
-/// is left.
+/// source_faces, corner_uvs, corner_normals, face_materials and face_objects. Polygons of fewer
+/// than three corners vanish. A corner without a UV gets (0, 0), one without a normal its
+/// triangle's; warns where they were never given. Throws Error(input) for a vertex out of range and
+/// where no triangle is left.
 SurfaceMesh triangulate(PolygonSoup&& soup, const MeshSource& source);
 
 /// Throws Error(input) for a mesh that has no triangle, or more vertices or corners than 2³¹ − 1.

@@ -195,9 +195,12 @@ class Transfer {
         for (int k = 0; k < a.components; ++k) b.values.push_back(a.values[f * a.components + k]);
       }
     }
+    made_.metres_per_unit = s.metres_per_unit;
     made_.material_names = s.material_names;
+    made_.object_names = s.object_names;
     for (std::int32_t f : face_) {
       if (!s.face_materials.empty()) made_.face_materials.push_back(s.face_materials[f]);
+      if (!s.face_objects.empty()) made_.face_objects.push_back(s.face_objects[f]);
       made_.source_faces.push_back(s.source_faces.empty() ? f : s.source_faces[f]);
     }
   }

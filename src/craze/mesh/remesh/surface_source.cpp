@@ -32,6 +32,7 @@ std::vector<T> gather(const std::vector<T>& old, const std::vector<std::int32_t>
 SurfaceMesh transfer(const SurfaceMesh& old, std::vector<Triangle> triangles,
                      const SurfaceSource& source) {
   SurfaceMesh made;
+  made.metres_per_unit = old.metres_per_unit;
   made.triangles = std::move(triangles);
   made.positions = gather(old.positions, source.vertices,
                           [](const Vec3& a, const Vec3& b) -> Vec3 { return 0.5 * (a + b); });
@@ -48,6 +49,8 @@ SurfaceMesh transfer(const SurfaceMesh& old, std::vector<Triangle> triangles,
       });
   made.face_materials = gather(old.face_materials, source.faces);
   made.material_names = old.material_names;
+  made.face_objects = gather(old.face_objects, source.faces);
+  made.object_names = old.object_names;
   made.source_faces =
       old.source_faces.empty() ? source.faces : gather(old.source_faces, source.faces);
   for (const Attribute& a : old.vertex_attributes) {

@@ -54,6 +54,7 @@ void check_input(const SurfaceMesh& s) {
   check_given(s.corner_normals.size(), 3 * faces, "normals");
   check_given(s.vertex_colors.size(), vertices, "colours");
   check_given(s.face_materials.size(), faces, "materials");
+  check_given(s.face_objects.size(), faces, "objects");
   check_given(s.source_faces.size(), faces, "source faces");
   for (const Attribute& a : s.vertex_attributes) {
     check_size(a.values.size(), a.components * vertices, a.name);

@@ -40,6 +40,7 @@ void add_materials(SurfaceMesh& result, const SurfaceMesh& cut_surface, const Op
 SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh& cut,
                               const OpenedMesh& opened, bool keep_normals) {
   SurfaceMesh result;
+  result.metres_per_unit = cut_surface.metres_per_unit;
   result.positions = opened.mesh.positions;
   result.triangles = opened.mesh.triangles;
   const std::size_t faces = opened.beside.size();
@@ -75,6 +76,12 @@ SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh
   for (std::size_t f = 0; f < faces; ++f) {
     result.source_faces.push_back(
         opened.face_of[f] < 0 ? -1 : cut_surface.source_faces[opened.beside[f]]);
+  }
+  result.object_names = cut_surface.object_names;
+  for (const std::int32_t f : opened.beside) {
+    if (!cut_surface.face_objects.empty()) {
+      result.face_objects.push_back(cut_surface.face_objects[f]);
+    }
   }
   const bool any_wall =
       std::find(opened.face_of.begin(), opened.face_of.end(), -1) != opened.face_of.end();

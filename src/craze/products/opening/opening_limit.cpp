@@ -1,6 +1,9 @@
 #include "craze/products/opening/opening_limit.h"
 
 #include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
 
 #include "craze/mesh/self_intersection.h"
 #include "craze/products/opening/curl.h"
@@ -14,8 +17,13 @@ using Pairs = std::vector<std::array<std::int32_t, 2>>;
 constexpr int rounds = 30;
 /// What is left of a share after each round in which it was too much.
 constexpr double step_back = 0.65;
-/// How much larger a share may be than the neighbour's.
-constexpr double neighbour_ratio = 3;
+/// Of the mean distance between cracks: over such a length a share grows from nothing to all.
+constexpr double taper_per_spacing = 1.0 / 6;
+/// Where all are made smaller, the length over which a share grows by what was begun with: half of
+/// a piece, so that pieces shrink as a whole.
+constexpr double smaller_taper_per_spacing = 1.0 / 2;
+/// How far the rims of nearly all pieces may go then, of the mean distance between cracks.
+constexpr double rim_way = 1.0 / 3, nearly_all = 0.9;
 /// Shares below are nothing at all.
 constexpr double nothing = 0.03;
 /// Walls of this share of their depth are no deeper than need be.
@@ -35,6 +43,11 @@ class Limiter {
     most_pairs_ = 4 * triangles_.size();
     shares_.move.assign(mesh_.vertex_count(), 1);
     shares_.depth.assign(mesh_.vertex_count(), 1);
+    spacing_ = 3 * natural_curl_length(mesh_, motion.sites);
+    on_site_.resize(motion.sites.vertex.size());
+    for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      if (motion.sites.site_of[v] >= 0) on_site_[motion.sites.site_of[v]].push_back(v);
+    }
   }
 
   OpeningLimit run() {
@@ -42,10 +55,10 @@ class Limiter {
     for (int round = 0; round < rounds && !sound; ++round) {
       context_.report({"open", static_cast<double>(round) / rounds});
       context_.check();
-      spread(shares_.move);
-      spread(shares_.depth);
+      spread(shares_.move, growth_);
+      spread(shares_.depth, 1 / taper_per_spacing);
       sound = step(round + 5 < rounds ? step_back : 0);
-      if (round == 0 && !sound) stay_in_pieces();
+      if (round == 0 && !sound) begin_smaller();
     }
     OpeningLimit limit;
     if (!sound) {
@@ -64,13 +77,21 @@ class Limiter {
   }
 
  private:
-  /// No further than to the middle of a piece: there is nothing to find by trying.
-  void stay_in_pieces() {
-    const double most = 1.5 * natural_curl_length(mesh_, motion_.sites);
-    for (std::size_t v = 0; v < shares_.move.size() && most > 0; ++v) {
-      const double length = motion_.shift[v].norm();
-      if (length > most) shares_.move[v] = std::min(shares_.move[v], most / length);
+  /// Where all is too much, it is begun anew and smaller everywhere alike: as a smaller opening.
+  void begin_smaller() {
+    std::vector<double> ways;  // of the rims
+    for (std::size_t v = 0; v < motion_.shift.size(); ++v) {
+      if (motion_.sites.site_of[v] >= 0) ways.push_back(motion_.shift[v].norm());
     }
+    if (ways.empty()) return;
+    const auto at = static_cast<std::ptrdiff_t>(nearly_all * static_cast<double>(ways.size()));
+    std::nth_element(ways.begin(), ways.begin() + at, ways.end());
+    const double way = ways[static_cast<std::size_t>(at)], most = rim_way * spacing_;
+    if (!(way > most)) return;
+    const double share = most / way;
+    shares_.move.assign(shares_.move.size(), share);
+    shares_.depth.assign(shares_.depth.size(), 1);
+    growth_ = share / smaller_taper_per_spacing;
   }
 
   /// Takes back where it is too far; true where nothing is.
@@ -116,28 +137,33 @@ class Limiter {
     return most;
   }
 
-  /// Brings the vertices of a site, and neighbours, near to each other.
-  void spread(std::vector<double>& share) const {
-    const auto& site_of = motion_.sites.site_of;
-    for (bool changed = true; changed;) {
-      changed = false;
-      std::vector<double> of_site(motion_.sites.vertex.size(), 1);
-      for (std::size_t v = 0; v < share.size(); ++v) {
-        if (site_of[v] >= 0) of_site[site_of[v]] = std::min(of_site[site_of[v]], share[v]);
+  /// Makes the shares of a site the least of them, and lets no share grow faster along the surface
+  /// than over the taper, so that an opening narrows towards where it has no room, whatever the
+  /// triangles there. From the least share up (Dijkstra): each vertex is settled once.
+  void spread(std::vector<double>& share, double growth) const {
+    if (spacing_ == 0) return;                      // no cracks
+    using Entry = std::pair<double, std::int32_t>;  // share, vertex
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (std::size_t v = 0; v < share.size(); ++v) {
+      if (share[v] < 1) queue.emplace(share[v], static_cast<std::int32_t>(v));
+    }
+    const auto lower = [&](std::int32_t v, double most) {
+      if (share[v] <= most) return;
+      share[v] = most;
+      queue.emplace(most, v);
+    };
+    while (!queue.empty()) {
+      const auto [least, v] = queue.top();
+      queue.pop();
+      if (least > share[v]) continue;
+      if (const std::int32_t site = motion_.sites.site_of[v]; site >= 0) {
+        for (const std::int32_t u : on_site_[site]) lower(u, least);
       }
-      for (std::size_t v = 0; v < share.size(); ++v) {
-        if (site_of[v] >= 0) share[v] = of_site[site_of[v]];
-      }
-      for (const Triangle& t : mesh_.triangles()) {
-        for (int i = 0; i < 3; ++i) {
-          const double most = neighbour_ratio * std::max(share[t[i]], nothing);
-          for (const int j : {(i + 1) % 3, (i + 2) % 3}) {
-            if (share[t[j]] <= most) continue;
-            share[t[j]] = most;
-            changed = true;
-          }
+      mesh_.for_each_outgoing(v, [&](std::int32_t h) {
+        for (const std::int32_t u : {mesh_.to(h), mesh_.from(TriangleMesh::prev(h))}) {
+          lower(u, least + growth * (mesh_.position(u) - mesh_.position(v)).norm() / spacing_);
         }
-      }
+      });
     }
   }
 
@@ -145,9 +171,12 @@ class Limiter {
     std::vector<std::int32_t> faces;
     for (std::int32_t f = 0; f < mesh_.face_count(); ++f) {
       const Triangle& t = mesh_.triangle(f);
-      if (area_normal(mesh_.positions(), t).dot(area_normal(positions, t)) < 0) {
-        faces.push_back(f);
+      bool turned = area_normal(mesh_.positions(), t).dot(area_normal(positions, t)) < 0;
+      // A piece that has shrunk through its middle is turned about it, in its own plane.
+      for (std::int32_t h = 3 * f; h < 3 * f + 3 && !turned; ++h) {
+        turned = edge(mesh_.positions(), h).dot(edge(positions, h)) < 0;
       }
+      if (turned) faces.push_back(f);
     }
     return faces;
   }
@@ -165,6 +194,9 @@ class Limiter {
     return fresh;
   }
 
+  Vec3 edge(const std::vector<Vec3>& positions, std::int32_t h) const {
+    return positions[mesh_.to(h)] - positions[mesh_.from(h)];
+  }
   bool has_wall(std::size_t v) const {
     return !motion_.walls.bottom.empty() && mesh_.is_open_vertex(static_cast<std::int32_t>(v));
   }
@@ -175,7 +207,10 @@ class Limiter {
   const OpeningMotion& motion_;
   const TriangleMesh& mesh_;
   const Context& context_;
-  std::vector<Triangle> triangles_;  // of the mesh, then of the walls
+  std::vector<Triangle> triangles_;                 // of the mesh, then of the walls
+  std::vector<std::vector<std::int32_t>> on_site_;  // the vertices of each site
+  double spacing_ = 0;                              // mean distance between cracks
+  double growth_ = 1 / taper_per_spacing;           // of a share of the way, over such a distance
   OpeningShares shares_;
   std::size_t most_pairs_;
   Pairs before_;  // crossings of the mesh as it is

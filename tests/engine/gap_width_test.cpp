@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "craze/engine.h"
+#include "craze/error.h"
+#include "craze/presets.h"
+#include "craze/products.h"
+#include "craze/shapes.h"
+
+namespace craze {
+namespace {
+
+Result cracked(const std::vector<std::string>& settings) {
+  Recipe recipe = read_preset("mud");
+  recipe.simulation.layer.relative_spacing = 0.15;
+  for (const std::string& setting : settings) apply_set(recipe, setting);
+  auto plate = std::make_shared<SurfaceMesh>(make_shape("plate?n=30&jitter=0.3"));
+  plate->metres_per_unit = 1;
+  return crack({plate, {}, "plate"}, recipe, {}, {});
+}
+
+double length_of(const LineSet& lines, std::size_t e) {
+  return (lines.points[lines.edges[e][1]] - lines.points[lines.edges[e][0]]).norm();
+}
+
+/// Of the lines as they would be opened by `gap`, over their length.
+double mean_width(const LineSet& lines, double gap) {
+  const std::vector<double>& width = find_attribute(lines.edge_attributes, "width")->values;
+  double sum = 0, length = 0;
+  for (std::size_t e = 0; e < lines.edges.size(); ++e) {
+    sum += gap * width[e] * length_of(lines, e);
+    length += length_of(lines, e);
+  }
+  return sum / length;
+}
+
+TEST(GapWidth, IsTheMeanOpeningOverTheCracksLength) {
+  for (const auto& [text, width] : {std::pair{"2mm", 0.002}, {"0.004", 0.004}}) {
+    const Result result = cracked({std::string("post.gap_width=") + text});
+    const PostParameters& post = result.report().recipe.post;
+    EXPECT_NEAR(mean_width(crack_lines(result), post.gap), width, 1e-12);
+    EXPECT_EQ(post.gap_width, 0);  // so that the report's recipe says it once
+  }
+}
+
+TEST(GapWidth, OpensAsTheGapDoesThatTheReportTells) {
+  const Result by_width = cracked({"post.gap_width=0.003"});
+  const PostParameters& post = by_width.report().recipe.post;
+  const Result by_gap = cracked({"post.gap=" + std::to_string(post.gap)});
+  const Opening a(by_width, post, {}), b(by_gap, by_gap.report().recipe.post, {});
+  ASSERT_EQ(a.mesh().positions.size(), b.mesh().positions.size());
+  for (std::size_t v = 0; v < a.mesh().positions.size(); ++v) {
+    EXPECT_LT((a.mesh().positions[v] - b.mesh().positions[v]).norm(), 1e-6);
+  }
+}
+
+TEST(GapWidth, ExcludesAGap) {
+  try {
+    cracked({"post.gap_width=2mm", "post.gap=0.1"});
+    FAIL() << "both were taken";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::usage);
+    EXPECT_NE(std::string(e.what()).find("post.gap_width"), std::string::npos);
+  }
+}
+
+TEST(GapWidth, OpensNothingWhereNothingCracked) {
+  const Result result = cracked({"post.gap_width=2mm", "evolution.max_load=0.1"});
+  EXPECT_EQ(result.report().recipe.post.gap, 0);
+}
+
+}  // namespace
+}  // namespace craze
