@@ -88,7 +88,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
   write_mesh_and_growth(request, shown, result, times, report, context);
   context.check();
-  if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), context);
+  if (!request.lines.empty()) write_lines(request.lines, crack_lines(result, context), context);
   context.check();
   if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context), {}, context);
   context.check();
@@ -96,7 +96,10 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   context.check();
   const CrackedSurface& state = result.state();
   if (request.report.empty() || state.network.edges.empty()) return {};
-  return compute_with_sensitivity(graph_from_network(state.network, state.simulation->mesh()));
+  StatisticsOptions options;
+  options.bootstrap.context = context;
+  return compute_with_sensitivity(graph_from_network(state.network, state.simulation->mesh()),
+                                  options);
 }
 
 }  // namespace craze
