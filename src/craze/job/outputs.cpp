@@ -131,7 +131,9 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   write_mesh_and_growth(request, shown, result, beside, picture, report, context);
   context.check();
   const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
-  if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), warn, context);
+  if (!request.lines.empty()) {
+    write_lines(request.lines, crack_lines(result, context), warn, context);
+  }
   context.check();
   if (!request.maps.folder.empty()) {
     MapsRequest maps = request.maps;
@@ -146,7 +148,9 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   context.check();
   const CrackedSurface& state = result.state();
   if (request.report.empty() || state.network.edges.empty()) return {};
-  return compute_with_sensitivity(graph_from_network(state.network, state.mesh()));
+  StatisticsOptions options;
+  options.bootstrap.context = context;
+  return compute_with_sensitivity(graph_from_network(state.network, state.mesh()), options);
 }
 
 }  // namespace craze

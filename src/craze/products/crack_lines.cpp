@@ -1,5 +1,6 @@
 #include "craze/products/crack_lines.h"
 
+#include "craze/base/progress_meter.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/products/uv_islands.h"
 
@@ -57,17 +58,21 @@ void add_uvs(LineSet& lines, const CrackedSurface& state) {
 
 }  // namespace
 
-LineSet crack_lines(const Result& result) {
+LineSet crack_lines(const Result& result, const Context& context) {
   const CrackedSurface& state = result.state();
+  const CrackNetwork& network = state.network;
   LineSet lines;
+  ProgressMeter meter(context, "lines", network.nodes.size() + network.edges.size());
   Attribute junction{"junction", 1, {}}, normal{"normal", 3, {}};
-  for (const CrackNode& node : state.network.nodes) {
+  for (const CrackNode& node : network.nodes) {
+    meter.at(lines.points.size());
     lines.points.push_back(node.position);
     junction.values.push_back(static_cast<double>(node.kind));
     normal.values.insert(normal.values.end(), node.normal.data(), node.normal.data() + 3);
   }
   Attribute time{"time", 1, {}}, width{"width", 1, {}}, event{"event", 1, {}};
-  for (const CrackEdge& edge : state.network.edges) {
+  for (const CrackEdge& edge : network.edges) {
+    meter.at(lines.points.size() + lines.edges.size());
     lines.edges.push_back({edge.a, edge.b});
     time.values.push_back(edge.time);
     width.values.push_back(edge.width);
