@@ -132,7 +132,9 @@ TEST(ACrackMask, IsTheProductOfAllThatIsGivenOrOneMinusIt) {
     const double x = middle_x(plate, plate.triangles[f]);
     const double expected = x > border ? x + 0.5 : 0;
     EXPECT_NEAR(mask[f], expected, 1e-12);
-    if (x < 0.45) EXPECT_NEAR(rest[f], 1 - expected, 1e-12);
+    if (x < 0.45) {
+      EXPECT_NEAR(rest[f], 1 - expected, 1e-12);
+    }
   }
 }
 

@@ -91,7 +91,7 @@ TEST(ALength, ThatComesOutBeyondItsRangeIsRefused) {
   EXPECT_NE(message_of([] { spacing_of("1e308km", 1e-6); }).find("out of range"),
             std::string::npos);
   EXPECT_NE(message_of([] {
-              with_own_lengths(with({"mesh.edge=1e-300um"}), {1, 1000});
+              with_own_lengths(with({"mesh.edge=1e-320um"}), {1, 1000});
             }).find("mesh.edge"),
             std::string::npos);
 }

@@ -238,6 +238,18 @@ TEST(Set, TakesBareWordsWherePlainTextIsMeant) {
   EXPECT_EQ(recipe.simulation.stress.attribute, "");
 }
 
+TEST(Set, TakesOneNameOrAListOfThem) {
+  Recipe recipe;
+  const std::vector<std::string>& names = recipe.simulation.where.nodes;
+  apply_set(recipe, "where.nodes=door*");
+  EXPECT_EQ(names, (std::vector<std::string>{"door*"}));
+  apply_set(recipe, "where.nodes=[\"a 1.\", \".5\"]");
+  EXPECT_EQ(names, (std::vector<std::string>{"a 1.", ".5"}));
+  apply_set(recipe, "where.nodes=");
+  EXPECT_TRUE(names.empty());
+  EXPECT_NE(set_error("where.nodes=[a, b]").find("a list of names"), std::string::npos);
+}
+
 TEST(Set, ReachesEachImpactByItsNumberAndAppendsTheNext) {
   Recipe recipe;
   apply_set(recipe, "impact.0.radius=2");

@@ -72,7 +72,9 @@ toml::table parse(std::string_view text, const std::string& name) {
 }
 
 std::optional<ParameterValue> to_names(const toml::node& node) {
-  if (const auto* x = node.as_string()) return std::vector<std::string>{x->get()};
+  if (const auto* x = node.as_string()) {
+    return x->get().empty() ? std::vector<std::string>{} : std::vector<std::string>{x->get()};
+  }
   const auto* array = node.as_array();
   if (!array) return std::nullopt;
   std::vector<std::string> names;
@@ -84,7 +86,7 @@ std::optional<ParameterValue> to_names(const toml::node& node) {
 }
 
 /// The node's value in the type that the parameter asks for; a whole number serves as a real one,
-/// and a name as a list of one.
+/// and a name as a list of one, no letters as none.
 std::optional<ParameterValue> to_value(const toml::node& node, ParameterType type) {
   if (type == ParameterType::names) return to_names(node);
   const bool wants_real = type != ParameterType::integer;
@@ -198,11 +200,12 @@ std::string with_whole_numbers(const std::string& text) {
 toml::table parse_setting(const Parameter& p, const std::string& text, const std::string& where) {
   const bool quoted = !text.empty() && (text[0] == '"' || text[0] == '\'');
   const bool words = takes_words(p.type, text);
+  const bool has_text = quoted || p.type == ParameterType::names;
   toml::table table;
   if (p.is_length() || quoted || !words) {
     try {
       check_nesting(text, where);
-      table = toml::parse("value = " + (quoted ? text : with_whole_numbers(text)));
+      table = toml::parse("value = " + (has_text ? text : with_whole_numbers(text)));
       if (table.size() == 1 && !table["value"].is_table()) return table;
     } catch (const toml::parse_error&) {
       table.clear();
