@@ -14,6 +14,7 @@ constexpr int done = 0, failed = 1, wrong_usage = 2;
 using Action = std::function<int()>;
 
 void add_crack(CLI::App& app, Action& action);
+void add_bake(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_render(CLI::App& app, Action& action);
 void add_stats(CLI::App& app, Action& action);

@@ -12,8 +12,8 @@
 #include "craze/mesh/mesh_summary.h"
 #include "craze/products/report_json.h"
 #include "craze/repair.h"
-#include "error_line.h"
 #include "part_boxes.h"
+#include "run_options.h"
 
 namespace craze::app {
 
@@ -177,7 +177,7 @@ nlohmann::ordered_json as_json(const Checked& checked) {
 void add_check(CLI::App& app, Action& action) {
   struct Options {
     std::string input;
-    bool json = false;
+    bool json = false, no_warnings = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand("check", "Say what a mesh is and what repair would do");
@@ -185,6 +185,7 @@ void add_check(CLI::App& app, Action& action) {
       ->required()
       ->type_name("");
   verb->add_flag("--json", options->json, "As JSON");
+  add_warning_option(*verb, options->no_warnings);
   verb->footer(
       "Examples:\n"
       "  craze check scan.stl\n"
@@ -192,9 +193,7 @@ void add_check(CLI::App& app, Action& action) {
   verb->callback([options, &action] {
     action = [options] {
       const MeshFile file = load_surface(options->input);
-      for (const std::string& warning : file.warnings) {
-        print_warning(MessageStyle::line, warning);
-      }
+      if (!options->no_warnings) print_warnings({}, file.warnings);
       const Checked checked = check(options->input, file);
       return print(options->json ? as_json(checked).dump(2) + "\n" : as_text(checked));
     };

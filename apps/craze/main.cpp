@@ -50,6 +50,7 @@ int run_command(int argc, char** argv, MessageStyle style) {
   Action action;
   add_crack(app, action);
   add_render(app, action);
+  add_bake(app, action);
   add_stats(app, action);
   add_check(app, action);
   add_figures(app, action);

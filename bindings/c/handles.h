@@ -12,6 +12,7 @@
 #include "craze/craze.h"
 #include "craze/engine.h"
 #include "craze/line_set.h"
+#include "craze/maps.h"
 #include "craze/products.h"
 #include "craze/recipe.h"
 #include "craze/surface_mesh.h"
@@ -65,4 +66,9 @@ struct craze_job {
 struct craze_opening {
   std::shared_ptr<const craze::Opening> opening;  // shared with the mesh made of it
   std::optional<craze::GrowthClip> clip;          // made when the first position is asked for
+};
+
+struct craze_maps {
+  std::vector<craze::Map> maps;
+  std::vector<std::string> names, warnings;
 };

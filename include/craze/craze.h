@@ -84,6 +84,7 @@ typedef struct craze_mesh craze_mesh;
 typedef struct craze_lines craze_lines;
 typedef struct craze_job craze_job;
 typedef struct craze_opening craze_opening;
+typedef struct craze_maps craze_maps;
 
 /* "0.2.0". */
 CRAZE_API const char* craze_version(void);
@@ -140,7 +141,7 @@ CRAZE_API const char* craze_mesh_array_name(const craze_mesh* mesh, int64_t i);
  * last. */
 CRAZE_API const char* craze_mesh_material_name(const craze_mesh* mesh, int64_t i);
 
-/* Writes .ply .obj .stl .glb: the whole file or none. */
+/* Writes .ply .obj .stl .glb .usda: the whole file or none. */
 CRAZE_API craze_status craze_mesh_write(const craze_mesh* mesh, const char* path,
                                         craze_progress progress, void* user, craze_error* error);
 /* The parts of a cracked mesh by its face attribute "fragment": how many there are (-1 where it has
@@ -226,6 +227,22 @@ CRAZE_API int64_t craze_opening_vertex_count(const craze_opening* opening);
 /* Its vertices at a time of its growth, 0 (no crack) ... 1 (all): writes as many rows of x y z. */
 CRAZE_API craze_status craze_opening_positions_at(craze_opening* opening, double time,
                                                   double* positions, craze_error* error);
+
+/* Maps of the cracks for the mesh's own UVs (docs/maps.md), `size` texels a side. `names`: those
+ * wanted, with commas between them; NULL: all. `green_up`: 0 where the green of normals falls with
+ * v (DirectX), else 1. `gap`, `wall`: width of the grooves over the opening, and their depth,
+ * length. CRAZE_REQUEST where the mesh has no UVs. */
+CRAZE_API craze_maps* craze_job_bake(const craze_job* job, int32_t size, const char* names,
+                                     int32_t green_up, double gap, double wall, craze_error* error);
+CRAZE_API void craze_maps_free(craze_maps* maps);
+/* "mask"; "SET_mask" where there are several texture sets, "mask.1001" where there are tiles. NULL
+ * beyond the last. */
+CRAZE_API const char* craze_maps_name(const craze_maps* maps, int64_t i);
+/* The i-th map: size * size rows, from the left and the top, of 1 or 3 columns, float32. */
+CRAZE_API craze_status craze_maps_array(const craze_maps* maps, int64_t i, craze_array* array,
+                                        craze_error* error);
+/* What could not be done as asked, one sentence at a time; NULL beyond the last. */
+CRAZE_API const char* craze_maps_warning(const craze_maps* maps, int64_t i);
 
 #ifdef __cplusplus
 }

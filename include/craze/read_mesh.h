@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "craze/context.h"
+#include "craze/material_look.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -26,6 +27,9 @@ struct MeshFile {
   SurfaceMesh mesh;
   std::vector<std::string> warnings;  ///< one sentence for each kind of thing that was left out
   std::vector<std::string> textures;  ///< pictures that the file names, in its own words
+  /// One per material of the mesh; one for all faces of a mesh without; none where the file says
+  /// nothing.
+  std::vector<MaterialLook> looks;
   std::shared_ptr<const SourceScene> scene;  ///< null where there is nothing else
 };
 

@@ -202,6 +202,29 @@ static void the_lines_say_where_the_cracks_are(craze_job* job) {
   craze_lines_free(NULL);
 }
 
+static void maps_are_baked(craze_job* job) {
+  craze_array map;
+  craze_maps* maps = craze_job_bake(job, 32, "mask,normal", 1, 0, 0, NULL);
+  EXPECT(maps != NULL);
+  EXPECT(strcmp(craze_maps_name(maps, 0), "mask") == 0);
+  EXPECT(strcmp(craze_maps_name(maps, 1), "normal") == 0);
+  EXPECT(craze_maps_name(maps, 2) == NULL);
+  EXPECT(craze_maps_name(NULL, 0) == NULL);
+  EXPECT(craze_maps_array(maps, 1, &map, NULL) == CRAZE_OK);
+  EXPECT(map.rows == 32 * 32 && map.columns == 3 && map.type == CRAZE_FLOAT32);
+  EXPECT(craze_maps_warning(maps, 0) == NULL);
+  EXPECT(craze_maps_warning(NULL, 0) == NULL);
+  EXPECT_ERROR(craze_maps_array(maps, 2, &map, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_maps_array(maps, 0, NULL, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_maps_array(NULL, 0, &map, e), CRAZE_USAGE);
+  craze_maps_free(maps);
+  craze_maps_free(NULL);
+  EXPECT_ERROR(craze_job_bake(job, 32, "mask,", 1, 0, 0, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_bake(job, 0, NULL, 1, 0, 0, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_bake(job, 32, NULL, 1, NAN, 0, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_bake(NULL, 32, NULL, 1, 0, 0, e), CRAZE_USAGE);
+}
+
 static void cracks_open_and_grow(craze_job* job) {
   craze_array vertices;
   double* positions;
@@ -278,6 +301,7 @@ static void a_run_gives_what_it_should(void) {
   a_text(craze_job_summary(job, NULL), "\"stop_reason\"");
   a_text(craze_job_statistics(job, NULL), "{");
   the_lines_say_where_the_cracks_are(job);
+  maps_are_baked(job);
   cracks_open_and_grow(job);
   cut = craze_job_cut_mesh(job, NULL);
   EXPECT(craze_mesh_array(cut, "vertex:crack_time", &before, NULL) == CRAZE_OK);
@@ -285,6 +309,9 @@ static void a_run_gives_what_it_should(void) {
   craze_job_set_progress(job, stop_at_once, NULL);
   EXPECT_ERROR(craze_job_run(job, e), CRAZE_CANCELLED);
   EXPECT_ERROR(craze_job_cut_mesh(job, e), CRAZE_CANCELLED);
+  EXPECT_ERROR(craze_job_lines(job, e), CRAZE_CANCELLED);
+  EXPECT_ERROR(craze_job_report(job, e), CRAZE_CANCELLED);
+  EXPECT_ERROR(craze_job_statistics(job, e), CRAZE_CANCELLED);
   craze_job_set_progress(job, NULL, NULL);
   a_text(craze_job_summary(job, NULL), "\"stop_reason\""); /* that of the run before */
   craze_job_free(job);

@@ -29,8 +29,8 @@ const std::map<std::string, std::string> door_of = {
     {"line_set", "mesh"},     {"repair", "mesh"},       {"shapes", "mesh"},
     {"surface_mesh", "mesh"}, {"up_axis", "mesh"},      {"parameters", "model"},
     {"presets", "recipe"},    {"recipe", "recipe"},     {"engine", "engine"},
-    {"report", "engine"},     {"products", "products"}, {"read_mesh", "io"},
-    {"write_mesh", "io"},     {"craze", "bindings"},
+    {"report", "engine"},     {"products", "products"}, {"maps", "products"},
+    {"read_mesh", "io"},      {"write_mesh", "io"},     {"craze", "bindings"},
 };
 
 /// "mesh" of "craze/mesh/weld.h" and of "craze/surface_mesh.h"; empty for headers of others.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Mapping
+from typing import Any, Iterable, Mapping
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,7 @@ from . import _arrays
 from ._library import PIXEL_TYPES, Error, Handle, address, call, listed, real, shown, text_bytes
 from ._library import text_of, whole
 from ._lines import Lines
+from ._maps import arrays, green_up, name_list
 from ._mesh import Mesh
 from ._recipe import set_key, set_recipe
 from ._watch import ProgressCallback, run, watched
@@ -107,11 +108,41 @@ class Result:
         """The parts of `mesh`, in the order of its face attribute `fragment`."""
         return self.mesh.fragments()
 
+    def bake(
+        self,
+        size: int = 1024,
+        maps: Iterable[str] | None = None,
+        green: str = "up",
+        gap: float | None = None,
+        wall: float | None = None,
+    ) -> dict[str, npt.NDArray[np.float32]]:
+        """Maps of the cracks for the mesh's own UVs, size × size texels, the first row that of the
+        top (v = 1): (size, size) or (size, size, 3).
+
+        maps : names of docs/maps.md, such as ["mask", "normal"]; all where none are given
+        green : "up" or "down" with v, of normals
+        gap, wall : width of the grooves over the cracks' opening, and their depth; the recipe's
+
+        Keys are the names; "SET_mask" where the materials need a texture set each, "mask.1001" where
+        the UVs have tiles. Raises Error, also where the mesh has no UVs.
+        """
+        post = self._summary["recipe"]["post"]
+        handle = self._product(
+            "craze_job_bake",
+            "craze_maps_free",
+            whole(size, "size", 1, 8192),
+            name_list(maps),
+            green_up(green),
+            real(post["gap"] if gap is None else gap, "gap"),
+            real(post["wall"] if wall is None else wall, "wall"),
+        )
+        return arrays(handle)
+
     def write(self, path: str | bytes | os.PathLike[Any]) -> None:
         """Writes the mesh, opened as the recipe's [post] says: .ply .obj .stl .glb."""
         self.opened().write(path)
 
-    def _product(self, name: str, free: str, *arguments: float) -> Handle:
+    def _product(self, name: str, free: str, *arguments: Any) -> Handle:
         handle: Handle = run(
             self._job, self._progress, name, *arguments, take=lambda pointer: Handle(pointer, free)
         )

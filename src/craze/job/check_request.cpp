@@ -9,6 +9,7 @@
 
 #include "craze/error.h"
 #include "craze/io/files/extension.h"
+#include "craze/job/output_folder.h"
 #include "craze/job/output_place.h"
 #include "craze/job/run.h"
 #include "craze/recipe/check_recipe.h"
@@ -84,22 +85,20 @@ void check_frames(const RunRequest& request, Places& places) {
   const auto frame = [&](int i) {
     return fs::path(request.frames) / fmt::format("frame_{:04}.{}", i, request.frame_format);
   };
-  // Folders that are missing are made, in the first that is there.
   std::error_code ignored;
-  fs::path folder = fs::absolute(request.frames, ignored);
-  if (fs::exists(folder, ignored)) {
+  if (fs::exists(request.frames, ignored)) {
     check_folder({"the frames", frame(0).string(), {}});
   } else {
-    while (!fs::exists(folder, ignored) && folder.has_relative_path())
-      folder = folder.parent_path();
-    const bool writable = access(folder.c_str(), W_OK) == 0;
-    if (!fs::is_directory(folder, ignored) || !writable) {
-      throw Error(ErrorKind::output, "cannot write the frames", request.frames,
-                  folder.string() + (writable ? " is no folder" : " cannot be written"));
-    }
+    check_output_folder("the frames", request.frames);
   }
   places.take("the frames", request.frames);
   for (int i = 0; i < request.frame_count; ++i) places.take("the frames", frame(i));
+}
+
+void check_maps(const MapsRequest& maps, Places& places) {
+  check_output_folder("the maps", maps.folder);
+  places.take("the maps", maps.folder);
+  places.take("the maps", fs::path(maps.folder) / "maps.json");
 }
 
 /// Asked for together, what makes no sense alone.
@@ -142,7 +141,7 @@ void check_request(const RunRequest& request) {
   const bool report_file = !request.report.empty() && request.report != "-";
   const std::string none;
   const std::vector<Output> outputs{
-      {"the mesh", request.output, {".ply", ".obj", ".stl", ".glb"}},
+      {"the mesh", request.output, {".ply", ".obj", ".stl", ".glb", ".usda"}},
       {"the crack lines", request.lines, {".ply", ".obj", ".svg", ".json"}},
       {"the picture", request.picture, {".png"}},
       {"the video", request.video, {".mp4", ".webm"}},
@@ -158,12 +157,13 @@ void check_request(const RunRequest& request) {
   }
   if (!request.video.empty()) check_video(request.video);
   if (!request.frames.empty()) check_frames(request, places);
+  if (!request.maps.folder.empty()) check_maps(request.maps, places);
   check_growth(request);
   render::find_material(request.recipe.picture.material);
   if (places.empty() && request.report.empty() && request.frames.empty()) {
-    throw Error(
-        ErrorKind::usage, "nothing to write", "",
-        "give -o FILE, or one of --lines, --picture, --frames, --video, --fields, --report");
+    throw Error(ErrorKind::usage, "nothing to write", "",
+                "give -o FILE, or one of --lines, --picture, --frames, --video, --maps, --fields, "
+                "--report");
   }
 }
 

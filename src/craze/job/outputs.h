@@ -6,18 +6,25 @@
 
 #include "craze/context.h"
 #include "craze/engine.h"
+#include "craze/job/material_looks.h"
 #include "craze/job/run.h"
 #include "craze/products/statistics/statistics.h"
 #include "craze/read_mesh.h"
 
 namespace craze {
 
-/// Writes everything asked for but the report; `scene` is what the input file held besides its
-/// surface, or null. Of the report it counts the output and adds warnings.
+/// What a run's input brought besides its surface.
+struct BesideSurface {
+  MaterialLooks looks;
+  std::shared_ptr<const SourceScene> scene;  ///< null: nothing
+};
+
+/// Writes everything asked for but the report, of which it counts the output and adds warnings.
 /// Returns the statistics of the pattern where a report is asked for and there are cracks. Throws
 /// Error(output), and Cancelled, with every file whole or not there.
-std::optional<StatisticsWithSensitivity> write_outputs(
-    const RunRequest& request, const std::shared_ptr<const SourceScene>& scene,
-    const Result& result, Report& report, const Context& context);
+std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request,
+                                                       const Result& result,
+                                                       const BesideSurface& beside, Report& report,
+                                                       const Context& context);
 
 }  // namespace craze

@@ -2,14 +2,13 @@
 #include "craze/io/gltf/gltf.h"
 #include "craze/mesh/morph_animation.h"
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "craze/io/gltf/glb_buffer.h"
 #include "craze/io/gltf/glb_mesh.h"
 #include "craze/io/gltf/growth_clip.h"
 #include "craze/io/gltf/scene/scene_writer.h"
+#include "craze/io/polygons/float_grid.h"
 #include "craze/io/polygons/polygon_soup.h"
 #include "craze/mesh/mesh_parts.h"
 
@@ -19,70 +18,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Numbers on this grid, and differences of two of them, are exact in single precision.
-double float_grid(const SurfaceMesh& mesh) {
-  double most = 0;
-  for (const Vec3& p : mesh.positions) most = std::max(most, p.cwiseAbs().maxCoeff());
-  int exponent = 0;
-  std::frexp(most, &exponent);
-  return std::ldexp(1, exponent - 23);
-}
-
-Vec3 on_grid(const Vec3& p, double grid) {
-  return (p / grid).array().round().matrix() * grid;
-}
-
-/// What to take from every vertex so that single precision keeps the mesh: nothing near the origin,
-/// else the middle of its box. On a grid so coarse that the difference is exact.
-Vec3 far_origin(const SurfaceMesh& mesh) {
-  constexpr double noticed = 1e-6;  // of the mesh's size
-  if (mesh.positions.empty()) return Vec3::Zero();
-  Vec3 low = mesh.positions[0], high = low;
-  for (const Vec3& p : mesh.positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double size = (high - low).norm();
-  if (!(float_grid(mesh) / 2 > noticed * size)) return Vec3::Zero();
-  int exponent = 0;
-  std::frexp(size, &exponent);
-  return on_grid((low + high) / 2, std::ldexp(1, exponent));
-}
-
-/// By area; by vertices where there is none.
-Vec3 centroid(const SurfaceMesh& mesh) {
-  Vec3 by_area = Vec3::Zero(), by_vertex = Vec3::Zero();
-  double total = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    const double area = (b - a).cross(c - a).norm();
-    total += area;
-    by_area += area * (a + b + c) / 3;
-  }
-  for (const Vec3& p : mesh.positions) by_vertex += p / static_cast<double>(mesh.positions.size());
-  return total > 0 ? Vec3(by_area / total) : by_vertex;
-}
-
 ordered_json to_json(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
-}
-
-/// The stages as a part sees them.
-std::vector<MorphStage> stages_of(const MorphAnimation& animation,
-                                  const std::vector<std::int32_t>& vertices) {
-  std::vector<MorphStage> stages;
-  for (const MorphStage& stage : animation.stages) {
-    MorphStage& own = stages.emplace_back();
-    std::size_t i = 0;
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-      while (i < stage.vertices.size() && stage.vertices[i] < vertices[v]) ++i;
-      if (i == stage.vertices.size()) break;
-      if (stage.vertices[i] != vertices[v]) continue;
-      own.vertices.push_back(static_cast<std::int32_t>(v));
-      own.shifts.push_back(stage.shifts[i]);
-    }
-  }
-  return stages;
 }
 
 class GlbWriter {

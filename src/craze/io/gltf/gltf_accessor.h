@@ -37,6 +37,8 @@ class GltfAccessors {
   std::size_t count(std::size_t accessor) const;
   /// Whether it has data, or zeros stand for them.
   bool has_data(std::size_t accessor) const;
+  /// The bytes of a buffer view, checked to lie in its buffer.
+  std::string_view view(std::size_t buffer_view);
   /// A buffer's bytes, and those that a URI stands for. Valid as long as this.
   std::string_view buffer(std::size_t index);
   std::string_view source(const std::string& uri);
@@ -56,7 +58,6 @@ class GltfAccessors {
              const std::string& what);
   /// Puts the elements that a sparse accessor gives instead into `out`.
   void substitute(const Json& sparse, const Layout& base, std::size_t accessor, char* out);
-  std::string_view view(std::size_t buffer_view);
 
   GltfJson json_;
   const Json& root_;

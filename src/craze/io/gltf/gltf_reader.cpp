@@ -7,6 +7,7 @@
 #include "craze/io/gltf/gltf.h"
 #include "craze/io/gltf/gltf_builder.h"
 #include "craze/io/gltf/gltf_features.h"
+#include "craze/io/gltf/gltf_looks.h"
 
 namespace craze {
 
@@ -83,6 +84,7 @@ SurfaceMesh read_gltf(const MeshSource& source) {
     builder.add(instances[i]);
   }
   SurfaceMesh mesh = builder.finish();
+  if (source.looks) *source.looks = gltf_looks(root, accessors, source);
   mesh.metres_per_unit = 1;  // section 3.4: all linear distances are in metres
   source.scene = keep_document(root, accessors, builder.take_parts(), mesh, source);
   return mesh;

@@ -117,6 +117,11 @@ class PlyReader {
     }
     add_strips();
     source_.textures = header.textures;
+    if (source_.looks && header.textures.size() == 1) {
+      MaterialLook look;
+      look.texture_file = header.textures[0];
+      source_.looks->assign(std::max<std::size_t>(1, header.materials.size()), look);
+    }
     if (!header.comments.empty()) {
       source_.scene = std::make_shared<const PlyScene>(header.comments);
     }

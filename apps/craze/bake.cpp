@@ -1,0 +1,67 @@
+// craze bake CRACKED: maps of a mesh that was cracked before.
+#include <memory>
+
+#include "app.h"
+#include "craze/job/load_surface.h"
+#include "craze/job/output_folder.h"
+#include "craze/job/write_maps.h"
+#include "error_line.h"
+#include "map_options.h"
+#include "run_options.h"
+
+namespace craze::app {
+
+namespace {
+
+struct Options {
+  std::string input;
+  MapsRequest maps;
+  double wall = 0;
+  RunOptions run;
+};
+
+int bake(Options& options) {
+  options.maps.options.post.wall = options.wall;
+  check_output_folder("the maps", options.maps.folder);
+  const Run run(options.run);
+  const Context& context = run.context();
+  const MeshFile file = load_surface(options.input, context);
+  for (const std::string& warning : write_maps(file.mesh, options.maps, context)) {
+    print_warning(options.run.style, warning);
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_bake(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("bake", "Bake maps of a cracked mesh");
+  verb->add_option("CRACKED", options->input,
+                   "A mesh that craze crack wrote, with UVs and its cracks shut (post.gap=0)")
+      ->required()
+      ->type_name("FILE");
+  verb->add_option("-o,--output", options->maps.folder, "The folder of the maps, made if need be")
+      ->required()
+      ->type_name("DIR");
+  add_map_options(*verb, options->maps, "Maps");
+  verb->add_option("--gap", options->maps.options.post.gap,
+                   "Width of the grooves over the cracks' opening, as post.gap; 0: hairlines")
+      ->type_name("X")
+      ->check(not_negative())
+      ->group("Maps");
+  verb->add_option("--wall", options->wall,
+                   "Depth of the grooves, model units, as post.wall; 0: as deep as wide")
+      ->type_name("LENGTH")
+      ->check(not_negative())
+      ->group("Maps");
+  add_run_options(*verb, options->run);
+  verb->footer(
+      "Examples:\n"
+      "  craze bake cracked.ply -o maps --map normal --map mask --map-size 4096 --gap 0.05\n"
+      "  craze bake cracked.glb -o maps --map-format exr --map-green down\n"
+      "PLY knows the cracks' widths, times and pieces; OBJ and STL know where they run.");
+  verb->callback([options, &action] { action = [options] { return bake(*options); }; });
+}
+
+}  // namespace craze::app

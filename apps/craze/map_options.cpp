@@ -1,0 +1,54 @@
+#include "map_options.h"
+
+namespace craze::app {
+
+namespace {
+
+/// "mask, height, …".
+std::string map_names() {
+  std::string names;
+  for (const MapInfo& info : map_table()) {
+    names += (names.empty() ? "" : ", ") + std::string(info.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void add_map_options(CLI::App& verb, MapsRequest& maps, const char* group) {
+  verb.add_option_function<std::vector<std::string>>(
+          "--map",
+          [&maps](const std::vector<std::string>& names) {
+            for (const std::string& name : names) maps.options.maps.push_back(find_map(name));
+          },
+          "Which ones, as often as you like; all where none is named: " + map_names())
+      ->type_name("NAME")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group(group);
+  verb.add_option("--map-size", maps.options.size, "Texels along each side")
+      ->type_name("N")
+      ->check(CLI::Range(1, MapOptions::largest_size))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option_function<std::string>(
+          "--map-format",
+          [&maps](const std::string& format) {
+            maps.format = format == "exr" ? MapFormat::exr : MapFormat::png;
+          },
+          "png: 16 bits; exr: 32-bit floats, numbers as they are")
+      ->check(CLI::IsMember({"png", "exr"}).description(""))
+      ->type_name("EXT")
+      ->default_str("png")
+      ->group(group);
+  verb.add_option_function<std::string>(
+          "--map-green",
+          [&maps](const std::string& green) { maps.options.green_up = green == "up"; },
+          "Normals: up for glTF, OpenGL, Blender, Unity; down for DirectX, Unreal")
+      ->check(CLI::IsMember({"up", "down"}).description(""))
+      ->type_name("WAY")
+      ->default_str("up")
+      ->group(group);
+}
+
+}  // namespace craze::app

@@ -1,0 +1,15 @@
+// Options of the verbs that bake maps.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "craze/job/write_maps.h"
+
+namespace craze::app {
+
+/// --map, --map-size, --map-format, --map-green.
+void add_map_options(CLI::App& verb, MapsRequest& maps, const char* group);
+
+}  // namespace craze::app

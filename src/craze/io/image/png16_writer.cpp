@@ -1,0 +1,105 @@
+// Format: ISO/IEC 15948:2004. Written here and not by libpng, so that blocks of rows are packed by
+// all threads and the picture need never be in memory: each block is a part of one deflate stream
+// that depends on nothing before it.
+#include <algorithm>
+#include <cmath>
+
+#include "craze/io/files/new_file.h"
+#include "craze/io/image/deflate.h"
+#include "craze/io/image/row_image.h"
+
+namespace craze {
+
+namespace {
+
+constexpr int rows_of_block = 32;
+constexpr std::string_view zlib_header = "\x78\x01";
+/// Each row is its difference from the pixel on the left, which needs no other row.
+constexpr char filter_left = 1;
+constexpr int linear_gamma = 100000;  // gAMA: 1
+
+void put_big(std::string& bytes, std::uint32_t x) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(x >> shift & 255);
+}
+
+class Png16 : public RowImage {
+ public:
+  Png16(const std::filesystem::path& path, const RowImageFormat& format, const Context& context)
+      : format_(format), file_(path, "cannot write map", context) {
+    file_.append("\x89PNG\r\n\x1a\n");
+    std::string header;
+    put_big(header, static_cast<std::uint32_t>(format.width));
+    put_big(header, static_cast<std::uint32_t>(format.height));
+    const char color = format.channels == 3 ? 2 : 0;
+    header += {16, color, 0, 0, 0};
+    write_chunk("IHDR", header);
+    std::string gamma;
+    put_big(gamma, linear_gamma);
+    write_chunk("gAMA", gamma);
+  }
+
+  int block_rows() const override { return rows_of_block; }
+
+  Block pack(int first, int count, const float* values) const override {
+    const std::size_t pixel = 2 * static_cast<std::size_t>(format_.channels);
+    const std::size_t row = 1 + pixel * static_cast<std::size_t>(format_.width);
+    std::string bytes(row * static_cast<std::size_t>(count), '\0');
+    std::string plain(row - 1, '\0');
+    for (int y = 0; y < count; ++y) {
+      for (std::size_t i = 0; i < plain.size(); i += pixel) {
+        for (int c = 0; c < format_.channels; ++c) {
+          const std::uint16_t number = whole(*values++, c);
+          plain[i + 2 * c] = static_cast<char>(number >> 8);
+          plain[i + 2 * c + 1] = static_cast<char>(number & 255);
+        }
+      }
+      char* out = bytes.data() + row * static_cast<std::size_t>(y);
+      *out++ = filter_left;
+      for (std::size_t i = 0; i < plain.size(); ++i) {
+        *out++ = static_cast<char>(plain[i] - (i < pixel ? 0 : plain[i - pixel]));
+      }
+    }
+    return {deflate_part(bytes, first + count == format_.height), adler(bytes), bytes.size()};
+  }
+
+  void write(int first, const Block& block) override {
+    checksum_ = adler_of_both(checksum_, block.checksum, block.unpacked);
+    std::string data = first == 0 ? std::string(zlib_header) : std::string();
+    data += block.bytes;
+    if (first + rows_of_block >= format_.height) put_big(data, checksum_);
+    write_chunk("IDAT", data);
+  }
+
+  void finish() override {
+    write_chunk("IEND", "");
+    file_.finish();
+  }
+
+ private:
+  std::uint16_t whole(double x, int c) const {
+    const double share = (x - format_.low[c]) / (format_.high[c] - format_.low[c]);
+    return static_cast<std::uint16_t>(std::floor(std::clamp(share, 0.0, 1.0) * 65535 + 0.5));
+  }
+
+  void write_chunk(std::string_view type, std::string_view data) {
+    std::string chunk;
+    put_big(chunk, static_cast<std::uint32_t>(data.size()));
+    chunk += type;
+    chunk += data;
+    put_big(chunk, crc(std::string_view(chunk).substr(4)));
+    file_.append(chunk);
+  }
+
+  RowImageFormat format_;
+  NewFile file_;
+  std::uint32_t checksum_ = 1;  // Adler-32 of nothing
+};
+
+}  // namespace
+
+std::unique_ptr<RowImage> new_png16(const std::filesystem::path& path, const RowImageFormat& format,
+                                    const Context& context) {
+  return std::make_unique<Png16>(path, format, context);
+}
+
+}  // namespace craze

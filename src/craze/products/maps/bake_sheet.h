@@ -1,0 +1,33 @@
+// The maps of one picture, row by row.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "craze/context.h"
+#include "craze/maps.h"
+#include "craze/products/maps/groove_sampler.h"
+#include "craze/products/maps/map_faces.h"
+#include "craze/products/maps/map_surface.h"
+#include "craze/products/maps/uv_layout.h"
+
+namespace craze {
+
+/// Everything that the sheets of a surface share.
+struct BakeScene {
+  const MapSurface& maps;
+  const MapFaces& faces;
+  const GrooveSizes& sizes;
+  const GrooveSampler& grooves;
+  const UvIslands& islands;
+  const std::vector<double>& base_curvature;  ///< #V, mean; empty: not asked for
+  const MapOptions& options;
+};
+
+/// Bakes `sheet` into `sink`, from begin() to end(). `headers` are those of begin(). Reports "maps"
+/// from `done` to 1 / `of` further, as a share of all.
+void bake_sheet(const BakeScene& scene, const MapSheet& sheet,
+                const std::vector<MapHeader>& headers, MapSink& sink, double done, double of,
+                const Context& context);
+
+}  // namespace craze

@@ -1,0 +1,144 @@
+#include "craze/products/maps/groove_sampler.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "craze/products/maps/groove.h"
+
+namespace craze {
+
+namespace {
+
+constexpr double hairline = 0.0021;  // of the box's diagonal: render/picture.cpp
+constexpr int parts = 2;             // of a texel along each side
+/// Texels around a face, and around one at the border of an island, that it is asked for.
+constexpr double inside_margin = 1, border_margin = texels_followed + 2;
+/// The same at most, over the mean length of the cracks' pieces: where texels are so large that a
+/// map cannot show the cracks, faces need not see them all.
+constexpr double most_inside = 0.5, most_at_border = 2;
+constexpr std::size_t most_near = 32;  // lines that one texel is looked at for
+
+}  // namespace
+
+GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post) {
+  GrooveSizes sizes;
+  sizes.wall = post.wall;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : maps.surface.positions) box.extend(p);
+  const double line = box.isEmpty() ? 0 : hairline * box.diagonal().norm() / 2;
+  const bool known = post.gap > 0 && maps.has_widths;
+  for (const MapCrack& crack : maps.cracks) {
+    if (known) {
+      sizes.half_width.push_back({post.gap * crack.width[0] / 2, post.gap * crack.width[1] / 2});
+    } else {
+      sizes.half_width.push_back({line, line});
+    }
+  }
+  return sizes;
+}
+
+GrooveSampler::GrooveSampler(const MapSurface& maps, const MapFaces& faces,
+                             const UvIslands& islands, const GrooveSizes& sizes, int size,
+                             const Context& context)
+    : sizes_(sizes) {
+  double total = 0;
+  for (const MapCrack& crack : maps.cracks) total += (crack.b - crack.a).norm();
+  const double mean = maps.cracks.empty() ? 0 : total / static_cast<double>(maps.cracks.size());
+  SightLimits limits;
+  for (std::size_t f = 0; f < maps.surface.triangles.size(); ++f) {
+    const double texel = faces.texel(static_cast<std::int32_t>(f), size);
+    limits.margin.push_back(islands.at_border[f]
+                                ? std::min(border_margin * texel, most_at_border * mean)
+                                : std::min(inside_margin * texel, most_inside * mean));
+  }
+  for (const auto& [a, b] : sizes.half_width) limits.reach.push_back(std::max(a, b));
+  SeenCracks seen = seen_cracks(maps, limits, context);
+  for (const SeenCrack& s : seen.cracks) {
+    const double squared = (s.b - s.a).squaredNorm();
+    const auto& [a, b] = sizes.half_width[s.crack];
+    lines_.push_back({s.a, s.b - s.a, squared > 0 ? 1 / squared : 0, a, b, s.crack});
+  }
+  first_ = std::move(seen.first);
+  for (const double d : seen.farthest) farthest_ = std::max(farthest_, d);
+}
+
+GrooveSampler::Foot GrooveSampler::foot(const Line& line, const Vec2& p) {
+  const Vec2 from_a = p - line.a;
+  const double t = std::clamp(from_a.dot(line.along) * line.inverse_squared_length, 0.0, 1.0);
+  const Vec2 away = from_a - t * line.along;
+  return {t, std::sqrt(away.squaredNorm()),
+          line.half_width_a + t * (line.half_width_b - line.half_width_a), away};
+}
+
+double GrooveSampler::squared_distance(const Line& line, const Vec2& p) {
+  const Vec2 from_a = p - line.a;
+  const double t = std::clamp(from_a.dot(line.along) * line.inverse_squared_length, 0.0, 1.0);
+  return (from_a - t * line.along).squaredNorm();
+}
+
+NearestCrack GrooveSampler::nearest(std::int32_t face, const Vec2& p) const {
+  NearestCrack nearest{std::numeric_limits<double>::infinity(), -1, 0, Vec2::Zero()};
+  double least = nearest.distance;
+  const Line* line = nullptr;
+  for (std::int32_t i = first_[face]; i < first_[face + 1]; ++i) {
+    const double squared = squared_distance(lines_[i], p);
+    if (squared < least || (squared == least && line && lines_[i].crack < line->crack)) {
+      least = squared;
+      line = &lines_[i];
+    }
+  }
+  if (!line) return nearest;
+  const Foot there = foot(*line, p);
+  nearest = {there.distance, line->crack, there.along, line->along};
+  return nearest;
+}
+
+GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& texel) const {
+  const double size = texel.col(0).norm() + texel.col(1).norm();
+  std::array<const Line*, most_near> near;
+  std::size_t count = 0;
+  for (std::int32_t i = first_[face]; i < first_[face + 1] && count < most_near; ++i) {
+    const Line& line = lines_[i];
+    // The half width changes along the line, the more so where a tip tapers off.
+    const double widest = std::max(line.half_width_a, line.half_width_b);
+    if (widest > 0 && squared_distance(line, p) < (widest + size) * (widest + size)) {
+      near[count++] = &line;
+    }
+  }
+  GrooveMean sum;
+  if (count == 0) return sum;
+  sum.light = 0;
+  for (int part = 0; part < parts * parts; ++part) {
+    const Vec2 shift((part % parts + 0.5) / parts - 0.5, (part / parts + 0.5) / parts - 0.5);
+    const Vec2 q = p + texel * shift;
+    double mask = 0, height = 0, light = 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Line& line = *near[i];
+      const Foot there = foot(line, q);
+      if (there.half_width <= 0 || there.distance > there.half_width + size) continue;
+      // Across the line a texel's box is nearly one whose width has the same second moment.
+      Vec2 across = there.away;
+      if (there.distance <= 0) across = Vec2(-line.along.y(), line.along.x());
+      const double length = std::sqrt(across.squaredNorm());
+      if (length <= 0) continue;
+      const Vec2 extent = texel.transpose() * across / (length * parts);
+      const double width = std::sqrt(extent.squaredNorm());
+      if (width <= 0) continue;
+      const double share = covered_share(there.distance, there.half_width, width);
+      const double depth = sizes_.depth(there.half_width);
+      mask = std::max(mask, share);
+      height = std::min(height, -depth * mean_depth(there.distance, there.half_width, width));
+      light =
+          std::min(light, 1 - share * (1 - groove_light(there.distance, there.half_width, depth)));
+    }
+    sum.mask += mask;
+    sum.height += height;
+    sum.light += light;
+  }
+  constexpr double all = parts * parts;
+  return {sum.mask / all, sum.height / all, sum.light / all};
+}
+
+}  // namespace craze

@@ -1,0 +1,79 @@
+// The cracks and their grooves at points of the faces' planes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "craze/context.h"
+#include "craze/products/maps/map_faces.h"
+#include "craze/products/maps/map_surface.h"
+#include "craze/products/maps/uv_layout.h"
+#include "craze/recipe.h"
+
+namespace craze {
+
+/// Width and depth of every crack's groove.
+struct GrooveSizes {
+  /// Per crack: half the width at its a and b, length: post.gap times the opening, or where there
+  /// is no gap, or no opening is known, that of a hairline.
+  std::vector<std::array<double, 2>> half_width;
+  double wall = 0;  ///< depth; 0: as deep as the groove is wide at each place
+
+  double depth(double half_width_there) const { return wall > 0 ? wall : 2 * half_width_there; }
+};
+
+/// A hairline has the width that pictures draw cracks with.
+GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post);
+
+/// The crack next to a point.
+struct NearestCrack {
+  double distance;
+  std::int32_t crack = -1;  ///< −1: none; distance is ∞ then
+  double along;             ///< where on it the nearest point is: 0 at a, 1 at b
+  Vec2 direction;           ///< from a to b in the plane, not unit
+};
+
+/// Means over a texel.
+struct GrooveMean {
+  double mask = 0, height = 0, light = 1;
+};
+
+/// Beyond this many texels outside an island the surface is not followed any further.
+inline constexpr double texels_followed = 2;
+
+class GrooveSampler {
+ public:
+  /// For texels of maps of that size: means around points of a face, and at the border of an island
+  /// around those up to texels_followed + 1 outside. References must outlive this. Throws
+  /// Cancelled.
+  GrooveSampler(const MapSurface& maps, const MapFaces& faces, const UvIslands& islands,
+                const GrooveSizes& sizes, int size, const Context& context);
+
+  /// The crack next to p, the first of them where several are.
+  NearestCrack nearest(std::int32_t face, const Vec2& p) const;
+  /// Over the texel around p whose sides are the columns of `texel`, length. Exact for a straight
+  /// groove; at corners, tips and junctions 2 × 2 parts of the texel are.
+  GrooveMean mean(std::int32_t face, const Vec2& p, const Mat2& texel) const;
+  /// No point of the surface is farther from a crack; ∞ where a part of it has none.
+  double farthest() const { return farthest_; }
+
+ private:
+  struct Line {
+    Vec2 a, along;
+    double inverse_squared_length, half_width_a, half_width_b;
+    std::int32_t crack;
+  };
+  struct Foot {
+    double along, distance, half_width;
+    Vec2 away;  ///< from there to the point
+  };
+  static Foot foot(const Line& line, const Vec2& p);
+  static double squared_distance(const Line& line, const Vec2& p);
+
+  const GrooveSizes& sizes_;
+  std::vector<std::int32_t> first_;  // #F + 1, offsets into lines_
+  std::vector<Line> lines_;
+  double farthest_ = 0;
+};
+
+}  // namespace craze

@@ -1,0 +1,47 @@
+// What maps are baked of: a surface, its pieces and its cracks, whatever they come from.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "craze/context.h"
+#include "craze/engine.h"
+#include "craze/surface_mesh.h"
+
+namespace craze {
+
+/// A straight piece of a crack.
+struct MapCrack {
+  Vec3 a, b;                      ///< in the plane of `face`; it grew from a to b
+  std::array<double, 2> width{};  ///< at a and b: opening of [IO06 Eq. 9] with γ = 1, length
+  double time = 0;                ///< load at which it opened
+  std::int32_t number = 0;        ///< of the crack, from 0
+  std::int32_t face = -1;         ///< of the surface; one that holds it
+};
+
+/// A part of a face that no crack crosses.
+struct MapPiece {
+  std::int32_t face;
+  std::int32_t fragment;
+  std::array<Vec2, 3> uvs;  ///< of its corners; pieces share the bits of these where they touch
+};
+
+/// The pieces of a face cover it.
+struct MapSurface {
+  SurfaceMesh surface;  ///< without the cracks; manifold, vertices welded
+  std::vector<MapPiece> pieces;
+  std::vector<MapCrack> cracks;
+  bool has_widths = true;  ///< the cracks' widths are known
+};
+
+/// Throws Error(request) where there are no UVs.
+MapSurface map_surface(const Result& result);
+
+/// Of a mesh whose shut cracks are open edges that lie on each other (distance/seams.h). Takes
+/// widths from the vertex attribute displacement, times from crack_time, and pieces from the face
+/// attribute fragment or, without it, from what hangs together. Cracks are numbered by the lines
+/// between junctions. Throws Error(request) where there are no cracks or no UVs, and Cancelled.
+MapSurface map_surface(const SurfaceMesh& cracked, const Context& context);
+
+}  // namespace craze

@@ -1,0 +1,198 @@
+#include "craze/products/maps/uv_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "craze/mesh/triangle_mesh.h"
+#include "craze/products/maps/texel_owners.h"
+
+namespace craze {
+
+namespace {
+
+constexpr int looked_at = 1024;    // texels a side in which overlap is looked for
+constexpr double unseen = 1e-3;    // share of overlapping texels that rounding makes
+constexpr double rounding = 1e-5;  // of UVs at the border of a tile, tiles
+constexpr int tiles_across = 10;   // of a row of UDIM tiles
+
+struct Box {
+  Vec2 low, high;
+};
+
+Box box_of(const MapPiece& piece) {
+  return {piece.uvs[0].cwiseMin(piece.uvs[1]).cwiseMin(piece.uvs[2]),
+          piece.uvs[0].cwiseMax(piece.uvs[1]).cwiseMax(piece.uvs[2])};
+}
+
+/// The cell that a piece lies in; of the middle where it lies in several.
+Vec2 cell_of(const Box& box) {
+  const Vec2 middle = (box.low + box.high) / 2;
+  return {std::floor(middle.x()), std::floor(middle.y())};
+}
+
+bool is_inside(const Box& box, const Vec2& cell) {
+  return ((box.low - cell).array() >= -rounding).all() &&
+         ((box.high - cell).array() <= 1 + rounding).all();
+}
+
+bool has_tiles(const std::vector<MapPiece>& pieces) {
+  bool beyond_first = false;
+  for (const MapPiece& piece : pieces) {
+    const Box box = box_of(piece);
+    const Vec2 cell = cell_of(box);
+    if (!is_inside(box, cell) || cell.x() < 0 || cell.x() >= tiles_across || cell.y() < 0) {
+      return false;
+    }
+    beyond_first |= !cell.isZero();
+  }
+  return beyond_first;
+}
+
+/// Places a piece in every cell that it touches, as far as that is sane.
+void place_repeated(const MapPiece& piece, std::int32_t index, std::vector<PlacedPiece>& placed) {
+  constexpr double most_cells = 64;
+  const Box box = box_of(piece);
+  const auto first = [](double x) { return std::floor(x + rounding); };
+  const auto last = [](double x) { return std::ceil(x - rounding) - 1; };
+  Vec2 low{first(box.low.x()), first(box.low.y())};
+  Vec2 high = Vec2(last(box.high.x()), last(box.high.y())).cwiseMax(low);
+  high = high.cwiseMin(Vec2(low.array() + most_cells));
+  for (double v = low.y(); v <= high.y(); ++v) {
+    for (double u = low.x(); u <= high.x(); ++u) placed.push_back({index, {u, v}});
+  }
+}
+
+using Materials = std::vector<std::int32_t>;
+
+/// The sheets of the pieces that have one of `materials`; empty: of all.
+std::vector<MapSheet> sheets_of(const MapSurface& maps, bool tiles, std::int32_t material,
+                                bool by_material) {
+  std::map<int, MapSheet> sheets;
+  const Materials& of_face = maps.surface.face_materials;
+  for (std::size_t i = 0; i < maps.pieces.size(); ++i) {
+    const MapPiece& piece = maps.pieces[i];
+    if (by_material && of_face[piece.face] != material) continue;
+    const auto index = static_cast<std::int32_t>(i);
+    if (!tiles) {
+      place_repeated(piece, index, sheets[0].pieces);
+      continue;
+    }
+    const Vec2 cell = cell_of(box_of(piece));
+    const int udim = 1001 + static_cast<int>(cell.x()) + tiles_across * static_cast<int>(cell.y());
+    sheets[udim].pieces.push_back({index, cell});
+  }
+  std::vector<MapSheet> result;
+  for (auto& [udim, sheet] : sheets) {
+    sheet.udim = udim;
+    if (by_material) {
+      sheet.texture_set = material < 0 ? "none" : maps.surface.material_names[material];
+    }
+    result.push_back(std::move(sheet));
+  }
+  return result;
+}
+
+/// Share of the covered texels that more than one piece asks for.
+double overlap(const MapSurface& maps, const std::vector<MapSheet>& sheets) {
+  std::int64_t covered = 0, twice = 0;
+  for (const MapSheet& sheet : sheets) {
+    const TexelOwners owners(maps.pieces, sheet.pieces, looked_at);
+    covered += owners.covered();
+    twice += owners.overlapping();
+  }
+  return covered > 0 ? static_cast<double>(twice) / static_cast<double>(covered) : 0;
+}
+
+/// Names that files can have, each another.
+void make_names_distinct(std::vector<MapSheet>& sheets) {
+  std::map<std::string, std::string> given;
+  std::set<std::string> taken;
+  for (MapSheet& sheet : sheets) {
+    if (const auto old = given.find(sheet.texture_set); old != given.end()) {
+      sheet.texture_set = old->second;
+      continue;
+    }
+    std::string name;
+    for (const char c : sheet.texture_set) {
+      const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+                         (c >= 'A' && c <= 'Z') || c == '-' || c == '_' || (c & 0x80) != 0;
+      name += plain ? c : '_';
+    }
+    std::string distinct = name;
+    for (int n = 2; !taken.insert(distinct).second; ++n) distinct = fmt::format("{}_{}", name, n);
+    given.emplace(sheet.texture_set, distinct);
+    sheet.texture_set = distinct;
+  }
+}
+
+}  // namespace
+
+UvLayout uv_layout(const MapSurface& maps, const Context& context) {
+  UvLayout layout;
+  const bool tiles = has_tiles(maps.pieces);
+  layout.sheets = sheets_of(maps, tiles, -1, false);
+  double overlapping = overlap(maps, layout.sheets);
+  context.check();
+  const Materials& materials = maps.surface.face_materials;
+  const std::set<std::int32_t> used(materials.begin(), materials.end());
+  if (overlapping > unseen && used.size() > 1) {
+    std::vector<MapSheet> apart;
+    for (const std::int32_t material : used) {
+      context.check();
+      for (MapSheet& sheet : sheets_of(maps, tiles, material, true)) {
+        apart.push_back(std::move(sheet));
+      }
+    }
+    const double less = overlap(maps, apart);
+    if (less < overlapping / 2) {
+      layout.sheets = std::move(apart);
+      overlapping = less;
+      make_names_distinct(layout.sheets);
+    }
+  }
+  if (overlapping > unseen) {
+    layout.warnings.push_back(fmt::format(
+        "the UVs overlap (maps): {:.2g} % of the covered texels belong to several places of the "
+        "surface and show the first one; unwrap it without overlap",
+        100 * overlapping));
+  }
+  return layout;
+}
+
+UvIslands uv_islands(const SurfaceMesh& surface) {
+  const TriangleMesh mesh(surface.positions, surface.triangles);
+  std::vector<std::int32_t> parent(surface.triangles.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](std::int32_t f) {
+    while (parent[f] != f) f = parent[f] = parent[parent[f]];
+    return f;
+  };
+  const auto continues = [&](std::int32_t h, std::int32_t o) {
+    return o >= 0 && surface.corner_uvs[h] == surface.corner_uvs[TriangleMesh::next(o)] &&
+           surface.corner_uvs[TriangleMesh::next(h)] == surface.corner_uvs[o];
+  };
+  std::vector<std::uint8_t> is_border(surface.positions.size(), 0);
+  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+    const std::int32_t o = mesh.opposite(h);
+    if (!continues(h, o)) {
+      is_border[mesh.from(h)] = is_border[mesh.to(h)] = 1;
+    } else if (h < o) {
+      const std::int32_t a = root(h / 3), b = root(o / 3);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  UvIslands islands;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const Triangle& t = mesh.triangle(f);
+    islands.of_face.push_back(root(f));
+    islands.at_border.push_back(is_border[t[0]] | is_border[t[1]] | is_border[t[2]]);
+  }
+  return islands;
+}
+
+}  // namespace craze

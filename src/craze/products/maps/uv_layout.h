@@ -1,0 +1,44 @@
+// Which pictures a surface's UVs ask for: texture sets and tiles.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "craze/context.h"
+#include "craze/products/maps/map_surface.h"
+
+namespace craze {
+
+/// A piece as it lies in a picture: its UVs less `offset` are 0 … 1 there.
+struct PlacedPiece {
+  std::int32_t piece;
+  Vec2 offset;
+};
+
+/// One picture: a set, or one of its tiles.
+struct MapSheet {
+  std::string texture_set;
+  int udim = 0;
+  std::vector<PlacedPiece> pieces;
+};
+
+struct UvLayout {
+  std::vector<MapSheet> sheets;
+  std::vector<std::string> warnings;
+};
+
+/// One set for all materials where their UVs lie apart, else one per material. Tiles where each
+/// piece lies in one cell of the grid 0 ≤ u < 10, 0 ≤ v and not all in the first; UVs that leave
+/// 0 … 1 otherwise repeat. Warns where UVs overlap within a set.
+UvLayout uv_layout(const MapSurface& maps, const Context& context);
+
+/// Faces that hang together by edges whose UVs agree.
+struct UvIslands {
+  std::vector<std::int32_t> of_face;    ///< #F
+  std::vector<std::uint8_t> at_border;  ///< #F, 1: a corner is on the border of an island
+};
+
+UvIslands uv_islands(const SurfaceMesh& surface);
+
+}  // namespace craze

@@ -1,0 +1,91 @@
+// Maps of the command: which files there are, and what is said beside them.
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "craze/io/image/read_image.h"
+
+namespace craze {
+namespace {
+
+class MapFiles : public CommandTest {
+ protected:
+  nlohmann::json description(const std::string& folder) const {
+    return nlohmann::json::parse(read_text(file(folder) / "maps.json"));
+  }
+};
+
+TEST_F(MapFiles, AreThoseAskedForAndAreDescribed) {
+  const CommandResult result =
+      run({"crack", "shape:plate?n=12", "--preset", "mud", "--max-cracks", "20", "--maps", "a/b",
+           "--map", "mask", "--map", "normal,crack", "--map-size", "48", "--quiet"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const nlohmann::json json = description("a/b");
+  ASSERT_EQ(json["maps"].size(), 3u);
+  for (const auto& map : json["maps"]) {
+    const Image image = read_image_file(file("a/b") / map["file"].get<std::string>());
+    EXPECT_EQ(image.width, 48);
+    EXPECT_EQ(image.height, 48);
+    EXPECT_EQ(image.channels, map["channels"].get<int>());
+    EXPECT_EQ(map["color_space"], "linear");
+  }
+  EXPECT_EQ(json["maps"][1]["green"], "up");
+  EXPECT_EQ(json["maps"][2]["values"], "id");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file("a/b")), {}), 4);
+}
+
+TEST_F(MapFiles, OfACrackedMeshAreThoseOfTheRun) {
+  ASSERT_EQ(run({"crack", "shape:plate?n=12", "--preset", "mud", "-o", "cut.ply", "--maps", "one",
+                 "--map", "distance,mask,fragment", "--map-size", "64", "--quiet"})
+                .code,
+            0);
+  const CommandResult result = run({"bake", "cut.ply", "-o", "two", "--map",
+                                    "distance,mask,fragment", "--map-size", "64", "--quiet"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  for (const auto& map : description("one")["maps"]) {
+    const std::string name = map["file"];
+    const Image one = read_image_file(file("one") / name),
+                two = read_image_file(file("two") / name);
+    double worst = 0;
+    for (int i = 0; i < 64 * 64; ++i) {
+      worst =
+          std::max(worst, std::abs(one.value(i % 64, i / 64, 0) - two.value(i % 64, i / 64, 0)));
+    }
+    EXPECT_LT(worst, name == "fragment.png" ? 1e-9 : 1e-3) << name;
+  }
+}
+
+TEST_F(MapFiles, AreTheSameBytesOnAnyNumberOfThreads) {
+  for (const char* threads : {"1", "3"}) {
+    ASSERT_EQ(run({"crack", "shape:cup", "--preset", "mud", "--max-cracks", "30", "--maps", threads,
+                   "--map-size", "100", "--threads", threads, "--quiet"})
+                  .code,
+              0);
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(file("1"))) {
+    EXPECT_EQ(read_text(entry.path()), read_text(file("3") / entry.path().filename()))
+        << entry.path();
+  }
+}
+
+TEST_F(MapFiles, ThatCannotBeAreRefusedInOneLine) {
+  expect_error({"crack", "shape:plate", "--maps", "m", "--map", "masc"}, 2, "mask");
+  expect_error({"crack", "shape:plate", "--maps", "m", "--map-size", "9000"}, 2, "map-size");
+  expect_error({"bake", "shape:plate?n=4", "-o", "/proc/maps"}, 1, "cannot be written");
+}
+
+TEST_F(MapFiles, OfAMeshWithoutUvsAreRefusedBeforeItCracks) {
+  std::ofstream(file("flat.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const CommandResult result = run({"crack", "flat.obj", "--maps", "m"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.err.find("no UVs"), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(file("m")));
+}
+
+TEST_F(MapFiles, OfAMeshWithoutCracksAreRefused) {
+  const CommandResult result = run({"bake", "shape:plate?n=4", "-o", "m"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.err.find("no cracks to bake"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace craze
