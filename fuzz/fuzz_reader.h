@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,9 +56,10 @@ inline int fuzz_reader(const std::uint8_t* data, std::size_t size,
   const FileLoader no_files;
   const Context context;
   std::vector<std::string> warnings, textures;
+  std::shared_ptr<const SourceScene> scene;
   try {
     check_promises(reader({std::string_view(reinterpret_cast<const char*>(data), size), name,
-                           no_files, context, warnings, textures}));
+                           no_files, context, warnings, textures, scene}));
   } catch (const Error& e) {
     require(e.kind() == ErrorKind::input);
     require(std::string_view(e.what()).find('\n') == std::string_view::npos);

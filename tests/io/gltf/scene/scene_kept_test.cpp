@@ -130,6 +130,22 @@ TEST(SceneKept, WhatNothingCutsIsTheDocumentAndTheBytesThatItWas) {
   EXPECT_EQ(after.bin.substr(0, before.bin.size()), before.bin);
 }
 
+TEST(SceneKept, WhatIsNotAsGltfWantsItIsNamedAndTheSurfaceIsRead) {
+  SceneFile nameless = truck(), aimless = truck(), pictureless = truck();
+  nameless.json["materials"][0]["name"] = 5;
+  aimless.json["animations"][0]["channels"][0].erase("target");
+  pictureless.json["images"][0] = {{"uri", "../../else/where.png"}};
+  for (const SceneFile* file : {&nameless, &aimless}) {
+    const MeshFile read_back = read(*file);
+    EXPECT_EQ(read_back.scene, nullptr);
+    EXPECT_EQ(read_back.warnings.size(), 1u);
+    EXPECT_EQ(read_back.mesh.triangles.size(), 10u);
+  }
+  const MeshFile without = read(pictureless);
+  ASSERT_NE(without.scene, nullptr);
+  EXPECT_EQ(without.warnings.size(), 1u);
+}
+
 TEST(SceneKept, ACutChangesThePrimitiveItCutsAndNothingElse) {
   const SceneFile before = truck();
   const MeshFile file = read(before);

@@ -13,7 +13,8 @@ SceneContent named(const Json& root, const char* list, const char* kind) {
   const auto found = root.find(list);
   if (found == root.end() || !found->is_array()) return content;
   for (const Json& item : *found) {
-    content.names.push_back(item.is_object() ? item.value("name", std::string()) : std::string());
+    const bool has_name = item.is_object() && item.contains("name") && item["name"].is_string();
+    content.names.push_back(has_name ? item["name"].get<std::string>() : std::string());
   }
   return content;
 }
@@ -35,7 +36,9 @@ VertexData vertex_data(const Json& root) {
     if (!mesh.contains("primitives")) continue;
     for (const Json& primitive : mesh["primitives"]) {
       if (!primitive.contains("attributes")) continue;
-      if (primitive.value("mode", 4) < 4) data.loose.push_back(mesh.value("name", ""));
+      const auto mode = primitive.find("mode");
+      const bool is_loose = mode != primitive.end() && mode->is_number() && mode->get<double>() < 4;
+      if (is_loose) data.loose.push_back(mesh.value("name", ""));
       each_key(primitive["attributes"], [&](const std::string& key) {
         if (key.starts_with("TEXCOORD_") && key != "TEXCOORD_0") data.uv_sets.insert(key);
         const bool further_color = key.starts_with("COLOR_") && key != "COLOR_0";

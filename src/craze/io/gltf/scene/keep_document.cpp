@@ -99,6 +99,39 @@ class Gatherer {
   std::string bin_;
 };
 
+/// What readers pass over and writers rely on: lists of objects, names that are text, views with a
+/// size, channels with a target. Throws Error(input).
+void check_lists(const Json& root, const GltfJson& json) {
+  for (const char* list : {"nodes", "meshes", "accessors", "bufferViews", "materials", "textures",
+                           "images", "samplers", "skins", "animations", "cameras", "scenes"}) {
+    const Json& items = json.array(root, list);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const Json& item = json.item(root, list, i);
+      if (item.contains("name") && !item["name"].is_string()) {
+        json.fail(fmt::format("the name of '{}' item {} is not text", list, i));
+      }
+      for (const char* index : {"mesh", "skin", "byteLength", "byteOffset", "bufferView"}) {
+        static_cast<void>(json.index(item, index));
+      }
+    }
+  }
+  for (const Json& view : json.array(root, "bufferViews")) {
+    if (!view.contains("byteLength")) json.fail("a bufferView has no byteLength");
+  }
+  for (const Json& animation : json.array(root, "animations")) {
+    for (const Json& channel : json.array(animation, "channels")) {
+      if (!channel.is_object() || !channel.contains("target") || !channel["target"].is_object()) {
+        json.fail("a channel of an animation has no target");
+      }
+    }
+  }
+  for (const Json& mesh : json.array(root, "meshes")) {
+    for (const Json& primitive : json.array(mesh, "primitives")) {
+      if (!primitive.is_object()) json.fail("a primitive is not an object");
+    }
+  }
+}
+
 /// A file without nodes shows nothing elsewhere; here it shows each mesh.
 void give_nodes(Json& root) {
   if (root.contains("nodes")) return;
@@ -119,14 +152,17 @@ std::shared_ptr<const GltfDocument> keep_document(Json root, GltfAccessors& acce
                                                   const SurfaceMesh& mesh,
                                                   const MeshSource& source) {
   try {
+    check_lists(root, GltfJson(source.name));
     std::string bin = Gatherer(root, accessors, source).run();
     give_nodes(root);
     return std::make_shared<const GltfDocument>(std::move(root), std::move(bin), std::move(parts),
                                                 mesh);
   } catch (const Error& error) {
     source.warn(fmt::format("the scene is not kept, only its surface: {}", error.what()));
-    return nullptr;
+  } catch (const Json::exception&) {
+    source.warn("the scene is not kept, only its surface: its JSON is not as glTF wants it");
   }
+  return nullptr;
 }
 
 }  // namespace craze

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "craze/base/progress_meter.h"
+#include "craze/error.h"
 #include "craze/io/gltf/gltf_primitive.h"
 #include "craze/io/gltf/gltf_skin.h"
 #include "craze/io/gltf/line_lifts.h"
@@ -182,7 +183,14 @@ class SceneWriter {
 
 std::string format_scene(const SurfaceMesh& mesh, const GltfDocument& document,
                          const MeshFileOptions& options, const Context& context) {
-  return SceneWriter(mesh, document, options, context).write();
+  try {
+    return SceneWriter(mesh, document, options, context).write();
+  } catch (const Json::exception& error) {
+    throw Error(ErrorKind::request, "cannot write the scene again", "GLB",
+                std::string("something in it is not as glTF wants it; with "
+                            "mesh.output = \"simulation\" its surface alone is written (") +
+                    error.what() + ")");
+  }
 }
 
 }  // namespace craze
