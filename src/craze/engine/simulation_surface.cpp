@@ -1,5 +1,7 @@
 #include "craze/engine/simulation_surface.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "craze/engine/check_scale.h"
@@ -37,6 +39,30 @@ RemeshOptions remesh_options(const SurfaceMesh& surface, const Recipe& recipe) {
   if (options.coarsen) options.max_distance = scan_distance * target;
   if (target > 0 && (mean > target || options.coarsen)) options.target_edge = target;
   return options;
+}
+
+/// Positions without bumps finer than `width`: each vertex goes halfway to the mean of its
+/// neighbours, over and over, which spreads it by width/2 in the end. Borders stay.
+std::vector<Vec3> without_bumps(const SurfaceMesh& surface, double width) {
+  constexpr double most_rounds = 100;
+  const double ratio = width / mean_edge(surface.positions, surface.triangles);
+  const int rounds = static_cast<int>(std::min(std::ceil(ratio * ratio), most_rounds));
+  const TriangleMesh mesh(surface.positions, surface.triangles);
+  std::vector<Vec3> now = surface.positions, next = now;
+  for (int round = 0; round < rounds; ++round) {
+    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+      if (mesh.first_halfedge(v) < 0 || mesh.is_open_vertex(v)) continue;
+      Vec3 sum = Vec3::Zero();
+      int count = 0;
+      mesh.for_each_outgoing(v, [&](std::int32_t h) {
+        sum += now[mesh.to(h)];
+        ++count;
+      });
+      next[v] = 0.5 * (now[v] + sum / count);
+    }
+    now.swap(next);
+  }
+  return now;
 }
 
 /// #F, 1 for marked faces and those that share a vertex with one: a face of the finer mesh takes
@@ -83,7 +109,12 @@ SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
   // Without source_faces of its own the surface is numbered by its faces.
   const std::vector<std::int32_t> source_faces = std::exchange(repaired.source_faces, {});
   SimulationSurface surface;
+  std::vector<Vec3> positions;
+  if (options.max_distance > 0) {
+    positions = std::exchange(repaired.positions, without_bumps(repaired, options.target_edge));
+  }
   surface.mesh = remesh(repaired, options, context);
+  if (!positions.empty()) repaired.positions = std::move(positions);
   surface.asset_face = surface.mesh.source_faces;
   if (!source_faces.empty()) {
     for (std::int32_t& f : surface.mesh.source_faces) f = source_faces[f];
