@@ -224,19 +224,19 @@ class Operators(unittest.TestCase):
             self.assertEqual(bpy.ops.craze.pieces(), {"FINISHED"})
 
     def test_an_impact_is_where_the_cursor_is(self):
-        thing = meshes.link(meshes.grid(24))
+        thing = meshes.link(meshes.grid(12, size=0.3))
         thing.location = (4, 0, 0)
         bpy.context.view_layer.update()
         panel = bpy.context.scene.craze
         panel.preset = "glass-impact"
         panel.keys.impact.clear()
-        bpy.context.scene.cursor.location = (4.5, 0.5, 0)
+        bpy.context.scene.cursor.location = (4.125, 0.125, 0)
         bpy.ops.craze.impact()
         panel.keys.seed, panel.keys.post_gap = 1, 0.0
         meshes.activate(thing)
         self.assertEqual(bpy.ops.craze.crack(), {"FINISHED"})
         new = bpy.context.active_object
-        self.assertEqual(json.loads(new.craze.recipe)["impact"][0]["point"], [0.5, 0.5, 0.0])
+        self.assertEqual(json.loads(new.craze.recipe)["impact"][0]["point"], [0.125, 0.125, 0.0])
         panel.preset = "mud"
 
     def test_painting_where_makes_a_group_that_the_recipe_names(self):
