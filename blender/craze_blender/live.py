@@ -48,7 +48,7 @@ def start(thing: Any, do: str, scene: Any) -> Work:
     """The work that brings a cracked object up to the panel; its result is runs.Made."""
     engine, order, name = process.engine(), cracked.order_of(thing), thing.data.name
     recipe = settings.recipe_of(scene.craze, settings.to_engine(thing.matrix_world, order.stretch))
-    if do == "open":
+    if do == "open" and recipe["post"]["gap_width"] == 0:
         post = {key: recipe["post"][key] for key in runs.POST}
         return Work(engine, runs.open_again(engine, order, name, post))
     order.recipe, order.run = recipe, runs.new_run()

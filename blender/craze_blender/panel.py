@@ -10,7 +10,7 @@ import bpy
 from . import cracked, table
 from .operators.stats import summary
 
-OPENING = ("post.gap", "post.wall", "post.curl")
+OPENING = ("post.gap", "post.gap_width", "post.wall", "post.curl")
 
 
 class _Panel:

@@ -12,6 +12,7 @@ from ..work import Problem, Steps
 from .base import EngineOperator
 
 FROM_PANEL = "PANEL"
+UNITS = {1.0: "m", 0.01: "cm", 0.001: "mm", 0.0254: "in", 0.3048: "ft", 1000.0: "km"}
 
 
 def _presets(_: Any, __: Any) -> Any:
@@ -79,7 +80,7 @@ class CRAZE_OT_crack(EngineOperator, bpy.types.Operator):
             )
         order.recipe = self._recipe(context.scene.craze, thing, order.stretch)
         order.is_text = bool(self.recipe) and not self._is_path()
-        order.settings = self._settings()
+        order.settings = self._settings(context.scene.unit_settings.scale_length)
         if not again:
             order.mesh = mesh_in.snapshot(context, thing)
         done = False
@@ -117,8 +118,12 @@ class CRAZE_OT_crack(EngineOperator, bpy.types.Operator):
     def _is_path(self) -> bool:
         return self.recipe.endswith((".toml", ".json"))
 
-    def _settings(self) -> dict[str, Any]:
+    def _settings(self, metres: float) -> dict[str, Any]:
+        """What is said besides the recipe; `metres` is the scene's unit, for lengths such as 4mm."""
         keys: dict[str, Any] = {}
+        unit = UNITS.get(round(metres, 6))
+        if unit is not None:
+            keys["mesh.unit"] = unit
         if self.seed >= 0:
             keys["seed"] = self.seed
         if self.spacing > 0:

@@ -49,8 +49,8 @@ class CRAZE_OT_impact_remove(bpy.types.Operator):
 
 
 class CRAZE_OT_paint(bpy.types.Operator):
-    """Makes a vertex group, 1 everywhere or on the selected faces alone, has the recipe multiply
-    the spacing by it (0: no crack), and starts weight paint"""
+    """Makes a vertex group, 1 everywhere or on the selected faces alone, which says where it cracks:
+    0 nowhere, 1 freely; and starts weight paint"""
 
     bl_idname = "craze.paint"
     bl_label = "Paint Where"
@@ -79,7 +79,7 @@ class CRAZE_OT_paint(bpy.types.Operator):
         elif new:
             group.add(everywhere, 1.0, "REPLACE")
         thing.vertex_groups.active = group
-        context.scene.craze.keys.layer_attribute = PAINTED
+        context.scene.craze.keys.where_attribute = PAINTED
         if not self.selected and not bpy.app.background:
             bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
         return {"FINISHED"}

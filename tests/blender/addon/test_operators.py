@@ -224,19 +224,19 @@ class Operators(unittest.TestCase):
             self.assertEqual(bpy.ops.craze.pieces(), {"FINISHED"})
 
     def test_an_impact_is_where_the_cursor_is(self):
-        thing = meshes.link(meshes.grid(24))
+        thing = meshes.link(meshes.grid(12, size=0.3))
         thing.location = (4, 0, 0)
         bpy.context.view_layer.update()
         panel = bpy.context.scene.craze
         panel.preset = "glass-impact"
         panel.keys.impact.clear()
-        bpy.context.scene.cursor.location = (4.5, 0.5, 0)
+        bpy.context.scene.cursor.location = (4.125, 0.125, 0)
         bpy.ops.craze.impact()
         panel.keys.seed, panel.keys.post_gap = 1, 0.0
         meshes.activate(thing)
         self.assertEqual(bpy.ops.craze.crack(), {"FINISHED"})
         new = bpy.context.active_object
-        self.assertEqual(json.loads(new.craze.recipe)["impact"][0]["point"], [0.5, 0.5, 0.0])
+        self.assertEqual(json.loads(new.craze.recipe)["impact"][0]["point"], [0.125, 0.125, 0.0])
         panel.preset = "mud"
 
     def test_painting_where_makes_a_group_that_the_recipe_names(self):
@@ -247,8 +247,42 @@ class Operators(unittest.TestCase):
         group = thing.vertex_groups["Cracks"]
         found = {v.co.x >= -1e-6: group.weight(v.index) for v in thing.data.vertices}
         self.assertEqual(found, {True: 1.0, False: 0.0})
-        self.assertEqual(bpy.context.scene.craze.keys.layer_attribute, "Cracks")
-        bpy.context.scene.craze.keys.layer_attribute = ""
+        keys = bpy.context.scene.craze.keys
+        self.assertEqual(keys.where_attribute, "Cracks")
+        keys.where_attribute = ""
+
+    def test_lengths_take_units_of_the_scene(self):
+        text = RECIPE.replace("relative_spacing = 0.12", 'spacing = "400mm"')
+        number = RECIPE.replace("relative_spacing = 0.12", "spacing = 0.4")
+        first = places(self.crack(meshes.link(meshes.grid(12)), recipe=text).data)
+        second = places(self.crack(meshes.link(meshes.grid(12)), recipe=number).data)
+        np.testing.assert_array_equal(first, second)
+        units = bpy.context.scene.unit_settings
+        units.scale_length = 0.01
+        try:
+            text = text.replace("400mm", "4mm")
+            third = places(self.crack(meshes.link(meshes.grid(12)), recipe=text).data)
+        finally:
+            units.scale_length = 1.0
+        np.testing.assert_array_equal(third, second)
+
+    def test_only_some_materials_crack(self):
+        thing = meshes.link(meshes.grid(24))
+        for name in ("glass", "paint"):
+            thing.data.materials.append(bpy.data.materials.new(name))
+        for polygon in thing.data.polygons:
+            polygon.material_index = int(polygon.center.x > 0)
+        panel = bpy.context.scene.craze
+        panel.preset, panel.keys.where_materials = "mud", "pai*"
+        panel.keys.post_gap = 0.0
+        try:
+            meshes.activate(thing)
+            self.assertEqual(bpy.ops.craze.crack(), {"FINISHED"})
+        finally:
+            panel.keys.where_materials = ""
+        new = bpy.context.active_object.data
+        opened = [v.co.x for v in new.vertices if _on_a_crack(new, v.index)]
+        self.assertGreater(min(opened), -1e-3)
 
     def test_every_key_of_the_table_is_a_property_with_its_help(self):
         properties = bpy.context.scene.craze.keys.bl_rna.properties
