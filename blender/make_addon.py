@@ -1,16 +1,19 @@
-"""make_addon.py PACKAGE VERSION FOLDER: the add-on as a folder and as a zip, both in FOLDER.
+"""make_addon.py PACKAGE VERSION FOLDER: the add-on as a folder and as a zip, both in FOLDER, and the
+index that makes FOLDER a repository of extensions.
 
 PACKAGE is the Python package craze with its libcraze.so; the add-on carries it, and its table of
-parameters and presets as table.json. Needs Python and NumPy. The same package gives the same bytes.
+parameters and presets as table.json. Needs Python 3.11 and NumPy. The same package gives the same bytes.
 Prints the zip's path.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 import shutil
 import sys
+import tomllib
 import zipfile
 from pathlib import Path
 
@@ -74,7 +77,23 @@ def make_zip(addon: Path, version: str) -> Path:
     return path
 
 
+def make_index(addon: Path, archive: Path) -> None:
+    """index.json beside the zip: the folder is a repository that Blender 4.2 installs from."""
+    manifest = tomllib.loads((addon / "blender_manifest.toml").read_text("utf-8"))
+    content = archive.read_bytes()
+    entry = {
+        **manifest,
+        "archive_size": len(content),
+        "archive_hash": "sha256:" + hashlib.sha256(content).hexdigest(),
+        "archive_url": f"./{archive.name}",
+    }
+    index = {"version": "v1", "blocklist": [], "data": [entry]}
+    (archive.parent / "index.json").write_text(json.dumps(index, indent=2) + "\n", "utf-8")
+
+
 if __name__ == "__main__":
     sys.dont_write_bytecode = True
     made = make_folder(Path(sys.argv[1]).resolve(), sys.argv[2], Path(sys.argv[3]).resolve())
-    print(make_zip(made, sys.argv[2]))
+    zipped = make_zip(made, sys.argv[2])
+    make_index(made, zipped)
+    print(zipped)

@@ -54,7 +54,7 @@ double suggested_spacing(double diagonal) {
 
 /// "0.043", or with the unit that shows it best where it is known: "43mm".
 std::string length_text(double length, double metres_per_unit) {
-  if (metres_per_unit == 0) return fmt::format("{:.4g}", length);
+  if (metres_per_unit == 0 || length == 0) return fmt::format("{:.4g}", length);
   const double metres = length * metres_per_unit;
   if (metres >= 1) return fmt::format("{:.4g}m", metres);
   return metres >= 0.001 ? fmt::format("{:.4g}mm", 1000 * metres)

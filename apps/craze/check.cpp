@@ -7,12 +7,13 @@
 
 #include "app.h"
 #include "asset_summary.h"
+#include "craze/io/source_scene.h"
 #include "craze/job/load_surface.h"
 #include "craze/mesh/mesh_summary.h"
 #include "craze/products/report_json.h"
 #include "craze/repair.h"
-#include "error_line.h"
 #include "part_boxes.h"
+#include "run_options.h"
 
 namespace craze::app {
 
@@ -37,6 +38,7 @@ struct Checked {
   const std::string& name;
   const MeshFile& file;
   const SurfaceMesh& input = file.mesh;
+  std::vector<SceneContent> contents;  ///< what the file holds besides
   RepairReport repair;
   MeshSummary summary;         ///< of the repaired mesh,
   std::vector<PartBox> parts;  ///< and its parts
@@ -49,7 +51,8 @@ struct Checked {
 };
 
 Checked check(const std::string& name, const MeshFile& file) {
-  Checked checked{name, file, file.mesh, {}, {}, {}};
+  Checked checked{name, file, file.mesh, {}, {}, {}, {}};
+  if (file.scene) checked.contents = file.scene->contents();
   const SurfaceMesh repaired = repair(file.mesh, {}, checked.repair);
   const TriangleMesh mesh(repaired.positions, repaired.triangles);
   checked.summary = summarize(mesh);
@@ -93,6 +96,21 @@ nlohmann::ordered_json parts_json(const std::vector<PartBox>& parts) {
   return list;
 }
 
+/// "2 animations: drive, wave".
+std::string contents_text(const std::vector<SceneContent>& contents) {
+  constexpr std::size_t most_names = 8;
+  std::string text;
+  for (const auto& [kind, names] : contents) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i) {
+      if (!names[i].empty()) list += (list.empty() ? ": " : ", ") + names[i];
+    }
+    const bool more = names.size() > most_names && !list.empty();
+    text += fmt::format("{} {}{}{}\n", names.size(), kind, list, more ? ", ..." : "");
+  }
+  return text;
+}
+
 std::string as_text(const Checked& checked) {
   const SurfaceMesh& input = checked.input;
   const MeshSummary& s = checked.summary;
@@ -111,9 +129,15 @@ std::string as_text(const Checked& checked) {
   text += fmt::format("worst triangle {:.3g} times as long as high\n", s.worst_aspect);
   std::string list;
   for (const std::string& name : extras(input)) list += (list.empty() ? "" : ", ") + name;
-  text += "attributes: " + (list.empty() ? "none" : list) + "\n";
+  text += "attributes: " + (list.empty() ? "none" : list) + "\n" + contents_text(checked.contents);
   if (checked.parts.empty()) return text;
   return text + asset_text(checked.name, input, checked.box().sizes(), s.diagonal);
+}
+
+nlohmann::ordered_json contents_json(const std::vector<SceneContent>& contents) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::object();
+  for (const auto& [kind, names] : contents) all[kind] = names;
+  return all;
 }
 
 nlohmann::ordered_json as_json(const Checked& checked) {
@@ -142,6 +166,7 @@ nlohmann::ordered_json as_json(const Checked& checked) {
       {"repair", repair_to_json(checked.repair)},
       {"sound", !checked.repair.defects()},
       {"attributes", extras(input)},
+      {"contents", contents_json(checked.contents)},
       {"warnings", checked.file.warnings}};
   json.update(asset_json(input, s.diagonal));
   return json;
@@ -152,7 +177,7 @@ nlohmann::ordered_json as_json(const Checked& checked) {
 void add_check(CLI::App& app, Action& action) {
   struct Options {
     std::string input;
-    bool json = false;
+    bool json = false, no_warnings = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand("check", "Say what a mesh is and what repair would do");
@@ -160,6 +185,7 @@ void add_check(CLI::App& app, Action& action) {
       ->required()
       ->type_name("");
   verb->add_flag("--json", options->json, "As JSON");
+  add_warning_option(*verb, options->no_warnings);
   verb->footer(
       "Examples:\n"
       "  craze check scan.stl\n"
@@ -167,9 +193,7 @@ void add_check(CLI::App& app, Action& action) {
   verb->callback([options, &action] {
     action = [options] {
       const MeshFile file = load_surface(options->input);
-      for (const std::string& warning : file.warnings) {
-        print_warning(MessageStyle::line, warning);
-      }
+      if (!options->no_warnings) print_warnings({}, file.warnings);
       const Checked checked = check(options->input, file);
       return print(options->json ? as_json(checked).dump(2) + "\n" : as_text(checked));
     };

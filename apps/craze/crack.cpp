@@ -2,12 +2,11 @@
 #include <memory>
 
 #include "app.h"
-#include "camera_options.h"
 #include "craze/job/run.h"
 #include "craze/presets.h"
-#include "error_line.h"
 #include "interrupt.h"
 #include "map_options.h"
+#include "picture_options.h"
 #include "run_options.h"
 
 namespace craze::app {
@@ -16,10 +15,10 @@ namespace {
 
 struct Options {
   RunRequest request;
-  std::string preset, recipe, seed, material;
+  std::string preset, recipe, seed;
+  PictureChoice choice;
   std::vector<std::string> settings;
   RunOptions run;
-  bool no_warnings = false;
 };
 
 // What a bare `craze crack INPUT -o OUT` makes.
@@ -36,20 +35,20 @@ Recipe build_recipe(const Options& options) {
   }
   if (!options.recipe.empty()) recipe = read_recipe_file(options.recipe);
   for (const std::string& setting : options.settings) apply_set(recipe, setting);
-  if (!options.material.empty()) apply_set(recipe, "picture.material=\"" + options.material + "\"");
+  const std::string &material = options.choice.material, &up = options.choice.up;
+  if (!material.empty()) apply_set(recipe, "picture.material=\"" + material + "\"");
+  if (!up.empty()) apply_set(recipe, "picture.up=\"" + up + "\"");
   if (!options.seed.empty()) apply_set(recipe, "seed=" + options.seed);
   return recipe;
 }
 
 int crack(Options& options) {
   options.request.recipe = build_recipe(options);
+  options.request.shot = options.choice.picture;
+  options.request.plain = options.choice.plain;
   check_request(options.request);
   const RunResult result = run(options.request, Run(options.run).context());
-  if (!options.no_warnings) {
-    for (const std::string& warning : result.report.warnings) {
-      print_warning(options.run.style, warning);
-    }
-  }
+  print_warnings(options.run, result.report.warnings);
   int code = done;
   if (options.request.report == "-") code = print(result.report_text);
   return result.cancelled ? interrupt_code() : code;
@@ -57,7 +56,8 @@ int crack(Options& options) {
 
 void add_outputs(CLI::App& verb, RunRequest& request) {
   const char* group = "Outputs";
-  verb.add_option("-o,--output", request.output, "The cracked mesh: .ply, .obj, .stl or .glb")
+  verb.add_option("-o,--output", request.output,
+                  "The cracked mesh: .ply, .obj, .stl, .glb or .usda")
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--lines", request.lines, "The cracks as lines: .ply, .obj, .svg or .json")
@@ -65,7 +65,7 @@ void add_outputs(CLI::App& verb, RunRequest& request) {
       ->group(group);
   verb.add_option("--picture", request.picture, "A picture: .png")->type_name("FILE")->group(group);
   verb.add_flag("--fragments", request.split_fragments,
-                "In -o, .obj or .glb: each fragment an object of its own")
+                "In -o, .obj, .glb or .usda: each fragment an object of its own")
       ->group(group);
   verb.add_option("--report", request.report, "What was done, as JSON; -: to standard output")
       ->type_name("FILE")
@@ -82,7 +82,8 @@ void add_outputs(CLI::App& verb, RunRequest& request) {
 void add_growth(CLI::App& verb, RunRequest& request) {
   const char* group = "Growth";
   verb.add_flag("--animate", request.animate,
-                "In -o, .glb: the cracks open one after the other, in any viewer; needs post.gap")
+                "In -o, .glb or .usda: the cracks open one after the other, in any viewer; needs "
+                "post.gap")
       ->group(group);
   verb.add_option("--stages", request.animation_stages,
                   "Morph targets of --animate; some old viewers know only 8")
@@ -125,11 +126,7 @@ void add_crack(CLI::App& app, Action& action) {
   add_outputs(*verb, options->request);
   add_growth(*verb, options->request);
   add_map_options(*verb, options->request.maps, "Maps (--maps)");
-  verb->add_option("--material", options->material,
-                   "What the picture shows: clay, mud, glaze, plaster, glass or paint")
-      ->type_name("NAME")
-      ->capture_default_str();
-  add_camera_options(*verb, options->request.shot, "Camera of pictures and frames");
+  add_picture_options(*verb, options->choice);
   CLI::Option* preset = verb->add_option(
       "--preset", options->preset, "See craze presets; glaze where no recipe and no key is given");
   preset->type_name("NAME");
@@ -146,8 +143,6 @@ void add_crack(CLI::App& app, Action& action) {
       ->type_name("N")
       ->check(not_negative());
   add_run_options(*verb, options->run);
-  verb->add_flag("--no-warnings", options->no_warnings,
-                 "Do not say what could not be done as asked; the report says it all the same");
   verb->footer(
       "Examples:\n"
       "  craze crack cup.obj -o cracked.glb --preset glaze\n"

@@ -34,6 +34,7 @@ int make_figures(const Options& options) {
   std::vector<FigureResult> results;
   for (const Figure* figure : wanted) {
     results.push_back(make_figure(*figure, options.request, Run(options.run).context()));
+    for (const FigurePart& part : results.back().parts) print_warnings(options.run, part.warnings);
     if (results.back().cancelled) return interrupt_code();
   }
   const std::string page = figure_page(results);

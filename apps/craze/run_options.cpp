@@ -1,5 +1,6 @@
 #include "run_options.h"
 
+#include "error_line.h"
 #include "interrupt.h"
 #include "progress_json.h"
 #include "progress_line.h"
@@ -31,6 +32,19 @@ void add_run_options(CLI::App& verb, RunOptions& options, const char* quiet) {
       ->type_name("STYLE")
       ->default_str("line");
   verb.add_flag("--quiet", options.quiet, quiet);
+  add_warning_option(verb, options.no_warnings);
+}
+
+void add_warning_option(CLI::App& verb, bool& no_warnings) {
+  verb.add_flag(
+      "--no-warnings", no_warnings,
+      "Do not say what was left out or could not be done as asked; reports say it all the "
+      "same");
+}
+
+void print_warnings(const RunOptions& options, const std::vector<std::string>& warnings) {
+  if (options.no_warnings) return;
+  for (const std::string& warning : warnings) print_warning(options.style, warning);
 }
 
 Run::Run(const RunOptions& options) : view_(make_view(options)) {

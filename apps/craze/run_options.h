@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "craze/context.h"
 #include "message_style.h"
@@ -14,10 +16,17 @@ struct RunOptions {
   int threads = 0;  ///< 0: one per core
   MessageStyle style = MessageStyle::line;
   bool quiet = false;
+  bool no_warnings = false;
 };
 
-/// --threads, --progress, --quiet; `quiet` says what the last one leaves out.
+/// --threads, --progress, --quiet, --no-warnings; `quiet` says what --quiet leaves out.
 void add_run_options(CLI::App& verb, RunOptions& options, const char* quiet = "No progress");
+
+/// --no-warnings, for verbs without the others.
+void add_warning_option(CLI::App& verb, bool& no_warnings);
+
+/// Says each of them on standard error, unless they are not wanted.
+void print_warnings(const RunOptions& options, const std::vector<std::string>& warnings);
 
 /// A run while it lasts: its progress is shown as asked for, and from its beginning on a signal
 /// stops it (interrupt.h).

@@ -11,6 +11,7 @@
 #include "craze/products/statistics/graph/simplify_lines.h"
 #include "craze/products/statistics/plots/plots.h"
 #include "craze/products/statistics/statistics_report.h"
+#include "run_options.h"
 
 namespace craze::app {
 
@@ -40,7 +41,7 @@ void add_stats(CLI::App& app, Action& action) {
   struct Options {
     std::string input, plots;
     double simplify = 0;
-    bool json = false;
+    bool json = false, no_warnings = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* verb =
@@ -58,6 +59,7 @@ void add_stats(CLI::App& app, Action& action) {
   verb->add_option("--plots", options->plots,
                    "Write histograms and pictures of the graph into this folder, as SVG")
       ->type_name("DIR");
+  add_warning_option(*verb, options->no_warnings);
   verb->footer(
       "Examples:\n"
       "  craze stats cracked.ply\n"
@@ -65,7 +67,9 @@ void add_stats(CLI::App& app, Action& action) {
       "  craze stats null:voronoi?cells=500 --plots plots");
   verb->callback([options, &action] {
     action = [options] {
-      CrackGraphInput graph = graph_from_file(options->input);
+      std::vector<std::string> warnings;
+      CrackGraphInput graph = graph_from_file(options->input, warnings);
+      if (!options->no_warnings) print_warnings({}, warnings);
       simplify_lines(graph, options->simplify);
       const StatisticsWithSensitivity statistics = compute_with_sensitivity(graph);
       if (!options->plots.empty()) write_plots(options->plots, graph, statistics.result);

@@ -91,7 +91,10 @@ craze_mesh* craze_job_cut_mesh(const craze_job* job, craze_error* error) {
 }
 
 craze_lines* craze_job_lines(const craze_job* job, craze_error* error) {
-  return guarded(error, [&] { return new craze_lines{crack_lines(result_of(job))}; });
+  return guarded(error, [&] {
+    const Result& result = result_of(job);
+    return new craze_lines{crack_lines(result, CallbackContext(*job).get())};
+  });
 }
 
 craze_status craze_lines_array(const craze_lines* lines, const char* name, craze_array* array,
@@ -109,7 +112,10 @@ void craze_lines_free(craze_lines* lines) {
 }
 
 char* craze_job_report(const craze_job* job, craze_error* error) {
-  return guarded(error, [&] { return copy_text(report_json(result_of(job))); });
+  return guarded(error, [&] {
+    const Result& result = result_of(job);
+    return copy_text(report_json(result, CallbackContext(*job).get()));
+  });
 }
 
 char* craze_job_summary(const craze_job* job, craze_error* error) {
@@ -118,7 +124,10 @@ char* craze_job_summary(const craze_job* job, craze_error* error) {
 }
 
 char* craze_job_statistics(const craze_job* job, craze_error* error) {
-  return guarded(error, [&] { return copy_text(statistics_json(result_of(job))); });
+  return guarded(error, [&] {
+    const Result& result = result_of(job);
+    return copy_text(statistics_json(result, CallbackContext(*job).get()));
+  });
 }
 
 char* craze_statistics(const double* points, int64_t p, const int32_t* edges, int64_t e,

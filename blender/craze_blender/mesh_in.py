@@ -52,8 +52,7 @@ def stretch_of(matrix: Any) -> np.ndarray:
     not. A mirrored object cracks as it is modelled.
     """
     linear = np.array(matrix.to_3x3(), np.float64)
-    left, size, right = np.linalg.svd(linear)
-    del left
+    _, size, right = np.linalg.svd(linear)
     stretch = right.T @ np.diag(size) @ right
     largest = float(size.max())
     if largest == 0:

@@ -40,6 +40,9 @@ class Request:
         self.progress: tuple[str, float | None, int, float] = ("start", None, 0, 0.0)
         self.reply: dict[str, Any] = {}
         self.error = ""
+        self.message: dict[str, Any] = {}
+        self.process: Any = None  # that was asked
+        self.unwanted = False  # nobody will read the reply
 
     def end(self, state: str, error: str = "") -> None:
         if self.state == "running":
@@ -67,6 +70,7 @@ class Engine:
         self._requests: dict[int, Request] = {}
         self._count = 0
         self._lock = threading.Lock()
+        self._ended: Any = None  # the process that was ended by cancel()
         self.folder = tempfile.mkdtemp(prefix="craze-")
         self.version = ""
 
@@ -94,17 +98,17 @@ class Engine:
             if arrays is not None:
                 fields["mesh"] = os.path.join(self.folder, f"in-{request.number}.npz")
                 np.savez(fields["mesh"], **arrays)
-            self._write({"id": request.number, "do": do, **fields})
+            request.message = {"id": request.number, "do": do, **fields}
+            self._ask(request)
         except OSError as e:
             request.end("failed", f"the engine cannot be asked: {e.strerror or e}")
 
-    def _write(self, message: dict[str, Any]) -> None:
+    def _ask(self, request: Request) -> None:
         with self._lock:
             if self._process is None or self._process.poll() is not None:
                 self._start()
-            assert self._process is not None and self._process.stdin is not None
-            self._process.stdin.write(json.dumps(message) + "\n")
-            self._process.stdin.flush()
+            request.process = self._process
+            _write(request.process, request.message)
 
     def _start(self) -> None:
         # Where NumPy is, the Python that starts finds it too.
@@ -134,6 +138,8 @@ class Engine:
             elif "done" in message:
                 request.reply = message["done"]
                 request.end("done")
+                if request.unwanted and "file" in request.reply:
+                    os.remove(request.reply["file"])
             elif "cancelled" in message:
                 request.end("cancelled")
             else:
@@ -142,30 +148,39 @@ class Engine:
                 del self._requests[request.number]
         code = process.wait()
         error = error or f"the engine stopped ({_cause(code)}); nothing in Blender was lost"
-        for request in list(self._requests.values()):
-            request.end("failed", error)
-        self._requests.clear()
+        for request in self.pending():
+            if request.process is not process:
+                continue
+            if process is self._ended:
+                self._ask(request)  # it waited behind one that did not stop
+            else:
+                request.end("failed", error)
+        self._requests = {r.number: r for r in self.pending()}
 
     def cancel(self, request: Request) -> None:
-        """Stops a request. A process that has not heard it by then is ended."""
-        if request.state != "running":
-            return
-        process = self._process
-        threading.Thread(
-            target=self._cancel, args=(request, process, time.monotonic()), daemon=True
-        ).start()
+        """Stops a request. A process that has not heard it by then is ended; what waits for its
+        turn is asked of the next one."""
+        request.unwanted = True
+        if request.state == "running":
+            threading.Thread(target=self._cancel, args=(request,), daemon=True).start()
 
-    def _cancel(self, request: Request, process: Any, begin: float) -> None:
-        try:
-            self._write({"cancel": request.number})
-        except OSError:
-            pass
-        while request.state == "running" and time.monotonic() - begin < PATIENCE:
+    def _cancel(self, request: Request) -> None:
+        end = time.monotonic() + PATIENCE
+        told = False
+        while request.state == "running" and time.monotonic() < end:
+            if request.process is not None and not told:
+                told = True
+                try:
+                    with self._lock:
+                        _write(request.process, {"cancel": request.number})
+                except OSError:
+                    pass  # it is gone: whoever listens to it says so
             time.sleep(0.01)
         if request.state == "running":
             request.end("cancelled")
-            if process is not None:
-                process.kill()
+            self._ended = request.process
+            if request.process is not None:
+                request.process.kill()
 
     def stop(self) -> None:
         """Ends the process and removes its files."""
@@ -174,6 +189,11 @@ class Engine:
             process.kill()
             process.wait()
         shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def _write(process: Any, message: dict[str, Any]) -> None:
+    process.stdin.write(json.dumps(message) + "\n")
+    process.stdin.flush()
 
 
 def _cause(code: int) -> str:

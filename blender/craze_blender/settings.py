@@ -18,6 +18,11 @@ LARGEST = 2**31 - 1  # of Blender's whole numbers
 GAP = 0.1  # of a new scene: presets leave cracks shut, and those are not seen in a viewport
 
 
+def _is_vector(row: dict[str, Any]) -> bool:
+    """Always so many numbers; one that may be none is a text."""
+    return row["type"] in {"vec2", "vec3", "tensor6"} and len(row["default"]) > 0
+
+
 def _first(row: dict[str, Any]) -> Any:
     """What a new scene's panel shows for a key."""
     if row["key"] == "post.gap":
@@ -51,7 +56,7 @@ def _annotation(row: dict[str, Any], update: Any) -> Any:
         if row["unit"] == "length":
             common.update(subtype="DISTANCE", unit="LENGTH")
         return bpy.props.FloatProperty(default=default, precision=3, **limits, **common)
-    if kind in {"vec3", "tensor6"}:
+    if _is_vector(row):
         if kind == "vec3" and row["unit"] == "length":
             common.update(subtype="XYZ", unit="LENGTH")
         size = len(default)
@@ -70,8 +75,10 @@ def _from_property(row: dict[str, Any], value: Any) -> Any:
         return [table.as_typed(x) for x in value]
     if kind == "string":
         return value
+    if kind == "names":
+        return [name.strip() for name in value.split(",") if name.strip()]
     try:
-        return json.loads(value)  # "0.02", "[\"paint*\"]"
+        return json.loads(value)  # "0.02", "[]"
     except ValueError:
         return value  # "auto"
 
@@ -80,8 +87,10 @@ def _to_property(row: dict[str, Any], value: Any) -> Any:
     kind = row["type"]
     if kind == "integer":
         return int(min(value, LARGEST))
-    if kind in {"boolean", "choice", "string", "vec3", "tensor6"}:
+    if kind in {"boolean", "choice", "string"} or _is_vector(row):
         return value
+    if kind == "names":
+        return ", ".join(value)
     if kind in {"real", "length"} and isinstance(row["default"], (int, float)):
         return value
     return value if isinstance(value, str) else json.dumps(value)
@@ -112,7 +121,8 @@ def recipe_of(settings: Any, place: Callable[[Any], list[float]]) -> dict[str, A
     for row in table.single():
         held = getattr(settings.keys, table.property_name(row["key"]))
         value = table.value_in(recipe, row["key"])
-        if value is None or not _same(row, held, value):
+        value = row["default"] if value is None else value
+        if not _same(row, held, value):
             table.put(recipe, row["key"], _from_property(row, held))
     for section, rows in table.repeated().items():
         entries = getattr(settings.keys, section)
@@ -127,11 +137,9 @@ def recipe_of(settings: Any, place: Callable[[Any], list[float]]) -> dict[str, A
 def _entry(rows: list[dict[str, Any]], entry: Any, old: dict[str, Any], place: Any) -> dict[str, Any]:
     made = {}
     for row in rows:
-        held, known = getattr(entry, row["name"]), old.get(row["name"])
-        same = known is not None and _same(row, held, known)
-        made[row["name"]] = known if same else _from_property(row, held)
-        if row["name"] == "point":
-            made["point"] = place(made["point"])
+        held, known = getattr(entry, row["name"]), old.get(row["name"], row["default"])
+        made[row["name"]] = known if _same(row, held, known) else _from_property(row, held)
+    made["point"] = place(made["point"])
     return made
 
 

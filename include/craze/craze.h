@@ -141,7 +141,7 @@ CRAZE_API const char* craze_mesh_array_name(const craze_mesh* mesh, int64_t i);
  * last. */
 CRAZE_API const char* craze_mesh_material_name(const craze_mesh* mesh, int64_t i);
 
-/* Writes .ply .obj .stl .glb: the whole file or none. */
+/* Writes .ply .obj .stl .glb .usda: the whole file or none. */
 CRAZE_API craze_status craze_mesh_write(const craze_mesh* mesh, const char* path,
                                         craze_progress progress, void* user, craze_error* error);
 /* The parts of a cracked mesh by its face attribute "fragment": how many there are (-1 where it has
@@ -229,12 +229,11 @@ CRAZE_API craze_status craze_opening_positions_at(craze_opening* opening, double
                                                   double* positions, craze_error* error);
 
 /* Maps of the cracks for the mesh's own UVs (docs/maps.md), `size` texels a side. `names`: those
- * wanted, with commas between them; NULL: all. `green_up`: 0 where the green of normals falls with v
- * (DirectX), else 1. `gap`, `wall`: width of the grooves over the opening, and their depth, length.
- * CRAZE_REQUEST where the mesh has no UVs. */
+ * wanted, with commas between them; NULL: all. `green_up`: 0 where the green of normals falls with
+ * v (DirectX), else 1. `gap`, `wall`: width of the grooves over the opening, and their depth,
+ * length. CRAZE_REQUEST where the mesh has no UVs. */
 CRAZE_API craze_maps* craze_job_bake(const craze_job* job, int32_t size, const char* names,
-                                     int32_t green_up, double gap, double wall,
-                                     craze_error* error);
+                                     int32_t green_up, double gap, double wall, craze_error* error);
 CRAZE_API void craze_maps_free(craze_maps* maps);
 /* "mask"; "SET_mask" where there are several texture sets, "mask.1001" where there are tiles. NULL
  * beyond the last. */

@@ -65,21 +65,24 @@ class GrowthClip {
 /// The cracks as a graph on the surface; edges meet only at points. Point attributes: junction (0
 /// end, 1 bend, 2 junction, 3 on the border), normal. Edge attributes: time, the load when it
 /// opened; width, length, [IO06 Eq. 9] with γ = 1; event, the number of the crack. UVs, two per
-/// edge, where the surface has some.
-LineSet crack_lines(const Result& result);
+/// edge, where the surface has some. Throws Cancelled.
+LineSet crack_lines(const Result& result, const Context& context = {});
 
 /// The parts of a mesh by its face attribute `fragment`, in order; each has what the whole has.
-/// Throws Error(request) where there is no such attribute.
-std::vector<SurfaceMesh> fragments(const SurfaceMesh& mesh);
+/// Throws Error(request) where there is no such attribute, and Cancelled.
+std::vector<SurfaceMesh> fragments(const SurfaceMesh& mesh, const Context& context = {});
 
-/// The report of a run as JSON (docs/outputs.md), its pattern's statistics included.
-std::string report_json(const Result& result);
+/// The report of a run as JSON (docs/outputs.md), its pattern's statistics included. Throws
+/// Cancelled.
+std::string report_json(const Result& result, const Context& context = {});
 
 /// The statistics of a run's pattern as JSON (docs/statistics.md); "{}" where nothing cracked.
-std::string statistics_json(const Result& result);
+/// Throws Cancelled.
+std::string statistics_json(const Result& result, const Context& context = {});
 
 /// The same of lines: drawn by as few of their points as stay within `simplify` of them, a length;
-/// 0: as they are. Throws Error(request) for lines that are not in a plane and have no normals.
-std::string statistics_json(const LineSet& lines, double simplify);
+/// 0: as they are. Throws Error(request) for lines that are not in a plane and have no
+/// normals, and Cancelled.
+std::string statistics_json(const LineSet& lines, double simplify, const Context& context = {});
 
 }  // namespace craze

@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "craze/context.h"
+#include "craze/material_look.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -17,11 +19,18 @@ namespace craze {
 /// not.
 using FileLoader = std::function<std::string(const std::string& uri)>;
 
+/// What a file holds besides its surface, kept for write_mesh (write_mesh.h). Immutable.
+class SourceScene;
+
 /// What a file held.
 struct MeshFile {
   SurfaceMesh mesh;
   std::vector<std::string> warnings;  ///< one sentence for each kind of thing that was left out
   std::vector<std::string> textures;  ///< pictures that the file names, in its own words
+  /// One per material of the mesh; one for all faces of a mesh without; none where the file says
+  /// nothing.
+  std::vector<MaterialLook> looks;
+  std::shared_ptr<const SourceScene> scene;  ///< null where there is nothing else
 };
 
 /// Reads a file's bytes: .obj, .ply, .stl, .off, .gltf or .glb, by what they are where that can be

@@ -34,12 +34,19 @@ struct MeshParameters {
   OutputMesh output = OutputMesh::asset;
 };
 
+/// post.lines: how a GLB shows cracks that are shut.
+enum class ShutCracks {
+  automatic,  ///< as dark lines
+  none,       ///< not at all
+};
+
 /// [post]: §5 of the paper, done to the finished mesh.
 struct PostParameters {
   double gap = 0;        ///< γ of Eq. 9
   Length gap_width = 0;  ///< mean opening, instead of gap; a run turns it into that
   Length wall = 0;       ///< depth of the side walls
   double curl = 0;       ///< lift at a crack, as a share of the displacement there
+  ShutCracks lines = ShutCracks::automatic;
 };
 
 /// [picture]: how the result is shown.

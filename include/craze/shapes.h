@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "craze/context.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -36,7 +37,7 @@ std::string shape_help();
 /// is flat. Solids have their axis along z; every shape but `cup`, `bowl` and `drape` (which stand
 /// on z = 0) is centred at the origin. UVs lie in 0 … 1 and do not overlap; round shapes carry the
 /// corner normals of the smooth surface. Throws Error(usage) for an unknown name or key, a value
-/// that is not a number or out of range.
-SurfaceMesh make_shape(std::string_view specification);
+/// that is not a number or out of range, and Cancelled.
+SurfaceMesh make_shape(std::string_view specification, const Context& context = {});
 
 }  // namespace craze

@@ -4,7 +4,7 @@
 namespace craze {
 
 enum class UpAxis {
-  automatic,  ///< z for a flat plate in the xy plane, else y
+  automatic,  ///< z for a flat plate in the xy plane, else y; upside down where that is its front
   x,
   y,
   z,

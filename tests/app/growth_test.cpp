@@ -147,7 +147,7 @@ TEST_F(Growth, WithoutFfmpegTheErrorComesFirstAndSaysWhatToDo) {
 TEST_F(Growth, ImpossibleRequestsAreSaidBeforeTheInputIsRead) {
   const std::vector<std::string> missing{"crack", "missing.obj"};
   using Words = std::vector<std::string>;
-  expect_error(missing + Words{"-o", "a.stl", "--fragments"}, 2, ".obj and .glb");
+  expect_error(missing + Words{"-o", "a.stl", "--fragments"}, 2, ".obj, .glb and .usda");
   expect_error(missing + Words{"-o", "a.ply", "--fragments"}, 2, "as fragment");
   expect_error(missing + Words{"--fragments", "--report", "r.json"}, 2, "-o FILE");
   expect_error(missing + Words{"-o", "a.obj", "--animate", "--set", "post.gap=0.1"}, 2, ".glb");

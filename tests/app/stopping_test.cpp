@@ -173,6 +173,25 @@ TEST_F(Stopping, AStalledFfmpegAndWhatItHasStarted) {
   expect_no_sleeper();
 }
 
+TEST_F(Stopping, ByAKillLeavesNoPartOfAVideo) {
+  // Says when it has begun and when it has ended, which it does only after the command.
+  fake("ffmpeg",
+       "for last; do true; done\nexec 5> \"$last\"\necho part >&5\n"
+       "echo > ../begun\ncat > /dev/null\necho rest >&5\necho > ../ended\n");
+  const pid_t process = start(uncracked + Arguments{"--video", "v.mp4", "--frame-count", "4000",
+                                                    "--samples", "1", "--width", "400"});
+  const auto wait_for = [&](const char* name) {
+    const auto end = Clock::now() + patience;
+    while (!fs::exists(folder_ / name) && Clock::now() < end) std::this_thread::sleep_for(nap);
+    return fs::exists(folder_ / name);
+  };
+  EXPECT_TRUE(wait_for("begun"));
+  kill(process, SIGKILL);
+  finish(process);
+  EXPECT_TRUE(wait_for("ended"));
+  EXPECT_EQ(files(), std::set<std::string>{});
+}
+
 TEST_F(Stopping, AtAPipeThatNobodyWrites) {
   ASSERT_EQ(mkfifo(file("in.ply").c_str(), 0600), 0);
   expect_stops({"crack", "in.ply", "-o", "a.ply"}, "load");

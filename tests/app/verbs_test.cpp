@@ -63,6 +63,39 @@ TEST_F(Verbs, CheckSaysWhereAMeshAndItsPartsAre) {
   EXPECT_EQ(mesh["parts"][0]["box"]["high"], (nlohmann::json{2.0, 4.0, 3.0}));
 }
 
+TEST_F(Verbs, CheckListsWhatARecipeCanName) {
+  std::ofstream(file("two.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\no door\nusemtl glass\n"
+                                    "f 1 2 3\no roof\nusemtl wood\nf 3 2 4\n";
+  const std::string text = run({"check", "two.obj"}).out;
+  for (const char* line : {"unit: not known", "materials: glass (1), wood (1) triangles\n",
+                           "nodes: door (1), roof (1) triangles\n", "UV sets: 0\n",
+                           "a spacing to begin with: 0.085\n", "--set layer.spacing=0.085\n"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  }
+  const auto json = nlohmann::json::parse(run({"check", "two.obj", "--json"}).out);
+  EXPECT_EQ(json["materials"][0]["name"], "glass");
+  EXPECT_EQ(json["nodes"][1]["triangles"], 1);
+  EXPECT_TRUE(json["metres_per_unit"].is_null());
+  EXPECT_EQ(json["suggested_spacing"], 0.085);
+}
+
+TEST_F(Verbs, CheckShowsLengthsOfAFileWithAUnitInThatUnit) {
+  ASSERT_EQ(run({"crack", "shape:plate?n=4", "-o", "plate.glb", "--max-cracks", "0"}).code, 0);
+  const std::string text = run({"check", "plate.glb"}).out;
+  EXPECT_NE(text.find("unit: 1 m; size 1m x 1m x 0"), std::string::npos) << text;
+  EXPECT_NE(text.find("--set layer.spacing=85mm"), std::string::npos) << text;
+}
+
+TEST_F(Verbs, CheckAndRenderSayWhatOfAFileWasNotRead) {
+  std::ofstream(file("curve.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ncstype bezier\n";
+  const std::string warning = "craze: warning: ";
+  EXPECT_EQ(run({"check", "curve.obj"}).err.find(warning), 0u);
+  EXPECT_EQ(
+      run({"render", "curve.obj", "-o", "a.png", "--width", "8", "--height", "8", "--samples", "1"})
+          .err.find(warning),
+      0u);
+}
+
 TEST_F(Verbs, StatsTakesTheStepsOfPixelsOutOfASkeleton) {
   // A tilted grid of squares, 30 pixels wide, as a skeleton: from pixel to pixel.
   nlohmann::json lines{{"points", nlohmann::json::array()}, {"edges", nlohmann::json::array()}};
@@ -112,6 +145,50 @@ TEST_F(Verbs, RenderTakesAPictureOfTheSizeAskedFor) {
   EXPECT_EQ(png.substr(1, 3), "PNG");
   EXPECT_EQ(png[19], 40);
   EXPECT_EQ(png[23], 30);
+}
+
+TEST_F(Verbs, CrackAndRenderTakeTheSamePictureOptions) {
+  const std::vector<std::string> options{"--width", "32",          "--height",
+                                         "24",      "--samples",   "1",
+                                         "--up",    "z",           "--azimuth",
+                                         "30",      "--elevation", "40",
+                                         "--fov",   "30",          "--zoom",
+                                         "1.5",     "--material",  "mud",
+                                         "--light", "-40",         "--line-width",
+                                         "0.01",    "--no-ground", "--background",
+                                         "406080",  "--plain",     "--light-elevation",
+                                         "30",      "--exposure",  "1.2"};
+  std::vector<std::string> render{"render", "shape:sphere", "-o", "a.png"};
+  render.insert(render.end(), options.begin(), options.end());
+  EXPECT_EQ(run(render).err, "");
+  std::vector<std::string> crack{"crack", "shape:sphere",      "--picture",
+                                 "b.png", "--max-cracks",      "0",
+                                 "--set", "mesh.edge=\"keep\""};
+  crack.insert(crack.end(), options.begin(), options.end());
+  EXPECT_EQ(run(crack).err, "");
+  EXPECT_EQ(read_text(file("a.png")), read_text(file("b.png")));
+  const CommandResult wrong =
+      run({"crack", "shape:sphere", "--picture", "a.png", "--background", "blue"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_NE(wrong.err.find("six hexadecimal digits"), std::string::npos) << wrong.err;
+}
+
+TEST_F(Verbs, AllThatReadAMeshSayWhatTheyLeaveOutUnlessToldNotTo) {
+  // Two triangles parted along an edge; a mesh keeps no points.
+  std::ofstream(file("a.obj"))
+      << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\np 1\n";
+  const std::vector<std::vector<std::string>> verbs{
+      {"check", "a.obj"},
+      {"stats", "a.obj"},
+      {"render", "a.obj", "-o", "a.png", "--width", "8", "--height", "8", "--quiet"},
+      {"crack", "a.obj", "-o", "a.ply", "--max-cracks", "0", "--quiet"}};
+  for (std::vector<std::string> verb : verbs) {
+    const CommandResult said = run(verb);
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_EQ(said.err.rfind("craze: warning: ", 0), 0u) << verb[0] << ": " << said.err;
+    verb.emplace_back("--no-warnings");
+    EXPECT_EQ(run(verb).err, "") << verb[0];
+  }
 }
 
 }  // namespace

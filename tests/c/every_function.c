@@ -309,6 +309,9 @@ static void a_run_gives_what_it_should(void) {
   craze_job_set_progress(job, stop_at_once, NULL);
   EXPECT_ERROR(craze_job_run(job, e), CRAZE_CANCELLED);
   EXPECT_ERROR(craze_job_cut_mesh(job, e), CRAZE_CANCELLED);
+  EXPECT_ERROR(craze_job_lines(job, e), CRAZE_CANCELLED);
+  EXPECT_ERROR(craze_job_report(job, e), CRAZE_CANCELLED);
+  EXPECT_ERROR(craze_job_statistics(job, e), CRAZE_CANCELLED);
   craze_job_set_progress(job, NULL, NULL);
   a_text(craze_job_summary(job, NULL), "\"stop_reason\""); /* that of the run before */
   craze_job_free(job);

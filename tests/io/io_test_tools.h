@@ -34,7 +34,7 @@ std::string message_of(Run run, ErrorKind kind = ErrorKind::input) {
 inline MeshFile read_by(SurfaceMesh (*reader)(const MeshSource&), std::string_view bytes,
                         const std::string& name = "a.file", const FileLoader& files = {}) {
   MeshFile file;
-  file.mesh = reader({bytes, name, files, Context{}, file.warnings, file.textures});
+  file.mesh = reader({bytes, name, files, Context{}, file.warnings, file.textures, file.scene});
   return file;
 }
 

@@ -176,6 +176,22 @@ TEST(Shapes, UvsFillTheUnitSquareWithoutOverlapOrFlips) {
   }
 }
 
+TEST(Shapes, AreStoppedAtAnyMoment) {
+  for (const ShapeInfo& info : shape_table()) {
+    int questions = 0;
+    Context counting;
+    counting.cancelled = [&] { return ++questions < 0; };
+    make_shape(info.name, counting);
+    EXPECT_GE(questions, 5) << info.name;
+    for (const int last : {1, questions / 2, questions}) {
+      int asked = 0;
+      Context context;
+      context.cancelled = [&] { return ++asked >= last; };
+      EXPECT_THROW(make_shape(info.name, context), Cancelled) << info.name;
+    }
+  }
+}
+
 TEST(Shapes, CornerNormalsAgreeWithTheFaces) {
   for (const ShapeInfo& info : shape_table()) {
     const SurfaceMesh s = make_shape(info.name);

@@ -250,7 +250,7 @@ TEST(Picture, PicturesOfOneSubjectAreTakenFromOnePlace) {
   top.triangles.resize(whole.triangles.size() / 2);  // the upper half of the ring
   for (Vec3& p : top.positions) p.y() = std::max(p.y(), 0.0);
   const Image alone = render_picture(top, nullptr, options, {});
-  options.subject = whole.positions;
+  options.subject = subject_of(whole);
   const Image of_whole = render_picture(whole, nullptr, options, {});
   const Image of_top = render_picture(top, nullptr, options, {});
   EXPECT_LT(difference(of_whole, of_top), 0.5);

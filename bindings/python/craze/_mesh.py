@@ -154,7 +154,7 @@ class Mesh:
         return handle
 
     def write(self, path: str | bytes | os.PathLike[Any]) -> None:
-        """Writes .ply, .obj, .stl or .glb: the whole file or none. Raises Error."""
+        """Writes .ply, .obj, .stl, .glb or .usda: the whole file or none. Raises Error."""
         handle, name = self._as_handle(), path_bytes(path)
         watched(
             lambda callback: call("craze_mesh_write", handle.pointer, name, callback, None),

@@ -6,6 +6,7 @@ from typing import Any
 
 import bpy
 import numpy as np
+from mathutils import Matrix
 
 from .. import cracked, layers, mesh_out, weights
 from ..work import Problem, Steps
@@ -39,6 +40,7 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
         if "fragment" not in mesh.attributes:
             raise Problem("the object has no attribute \"fragment\"")
         kept = _no_walls(mesh) if thickness > 0 else np.ones(len(mesh.polygons), bool)
+        names = cracked.group_names(thing)
         groups = yield from _all_groups(mesh, len(thing.vertex_groups))
         fragment = layers.get(mesh.attributes["fragment"].data, "value", np.int32)
         shape = _Shape(mesh)
@@ -48,7 +50,7 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
             for number in np.unique(fragment):
                 arrays = shape.part(np.flatnonzero((fragment == number) & kept))
                 name = f"{thing.name} fragment {number}"
-                for step in mesh_out.copy_part(mesh, groups, cracked.group_names(thing), name, arrays):
+                for step in mesh_out.copy_part(mesh, groups, names, name, arrays):
                     if step is not None:
                         made.append(step)
                 yield
@@ -102,8 +104,6 @@ def _all_groups(mesh: Any, count: int) -> Steps:
 
 
 def _moved(by: np.ndarray) -> Any:
-    from mathutils import Matrix
-
     return Matrix.Translation([float(x) for x in by])
 
 

@@ -65,6 +65,8 @@ def serve(replies: Any) -> None:
             done = getattr(runs, do)(**request, progress=progress)
             reply(id=number, done=done)
         except Stopped:
+            if os.path.exists(request.get("mesh", "")):
+                os.remove(request["mesh"])  # it was stopped before it was read
             reply(id=number, cancelled=True)
         except craze.Error as e:
             reply(id=number, error=str(e), kind=e.kind)

@@ -141,13 +141,11 @@ def carry(
 def _best_corner(vertex: np.ndarray, raw: np.ndarray, count: int) -> np.ndarray:
     """(count,): of each vertex the first corner that is least outside of its source triangle."""
     outside = np.maximum(-raw.min(axis=1), ON_IT)
-    order = np.argsort(outside, kind="stable")[::-1]
+    least = np.full(count, np.inf)
+    np.minimum.at(least, vertex, outside)
+    rows = np.flatnonzero(outside == least[vertex])[::-1]
     best = np.zeros(count, np.int64)
-    best[vertex[order]] = order  # the last one stays
-    ties = np.full(count, np.inf)
-    np.minimum.at(ties, vertex, outside)
-    least = np.flatnonzero(outside == ties[vertex])[::-1]
-    best[vertex[least]] = least
+    best[vertex[rows]] = rows  # the last one stays: the first corner
     return best
 
 
@@ -232,7 +230,7 @@ def _edges(
     following = np.arange(1, len(loop_vertex) + 1)
     following[loop_start + loop_total - 1] = loop_start
     pair = _pairs(loop_vertex, loop_vertex[following])
-    unique, first, loop_edge = np.unique(pair, return_index=True, return_inverse=True)
+    unique, loop_edge = np.unique(pair, return_inverse=True)
     edges = np.stack([unique >> 32, unique & 0xFFFFFFFF], axis=1).astype(np.int32)
 
     found = np.full(len(unique), -1, np.int32)
@@ -246,7 +244,6 @@ def _edges(
         spot = np.minimum(np.searchsorted(known[order], wanted), len(known) - 1)
         match = (a >= 0) & (known[order][spot] == wanted)
         found[loop_edge[match]] = order[spot[match]]
-    del first
     return edges, loop_edge.astype(np.int32).reshape(-1), found
 
 

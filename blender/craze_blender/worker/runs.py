@@ -14,7 +14,7 @@ import craze
 
 KEPT = 3  # runs; an older one is cracked anew when somebody asks for it
 REST, ORIGIN = "craze.rest", "craze.origin"  # attributes that say where a vertex, a face was
-OURS = ("crack_distance", "crack_time", "crack_growth", "displacement")
+OURS = ("crack_distance", "crack_time", "crack_growth")
 
 
 class Run:
@@ -69,9 +69,7 @@ class Run:
         triangle = arrays.pop("triangle")
         arrays["co"] = self._to_local(mesh.vertices, carried)
         for name in OURS:
-            arrays["point " + name] = np.asarray(
-                mesh.vertex_attributes[name], np.float32
-            )
+            arrays["point " + name] = np.asarray(mesh.vertex_attributes[name], np.float32)
         arrays["point displacement"] = self._turned_back(mesh.vertex_attributes["displacement"])
         arrays["face fragment"] = np.asarray(mesh.face_attributes["fragment"]).astype(np.int32)[
             triangle
@@ -81,9 +79,7 @@ class Run:
     def positions(self, times: list[float], post: dict[str, float]) -> np.ndarray:
         """(t, n, 3) float32: vertices of opened(post) at times of the growth, 0 … 1."""
         assert self.result is not None
-        return np.stack(
-            [self._turned_back(self.result.positions_at(t, **post)) for t in times]
-        )
+        return np.stack([self._turned_back(self.result.positions_at(t, **post)) for t in times])
 
     def lines(self) -> dict[str, np.ndarray]:
         assert self.result is not None

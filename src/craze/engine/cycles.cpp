@@ -44,8 +44,13 @@ void start(LastCycle& last, const SimulationSurface& surface,
   SimulationFields fields = initial_fields(surface, mesh, parameters, textures, context);
   last.unstressed = has_no_stress(fields, parameters);
   fields.healed = std::move(healed);
+  // The cycle before makes room. Without it there is nothing to keep but this one: not stopped
+  // here.
+  Context onward = context;
+  if (last.simulation) onward.cancelled = nullptr;
+  last.simulation.reset();
   last.simulation =
-      std::make_unique<Simulation>(std::move(mesh), std::move(fields), parameters, context);
+      std::make_unique<Simulation>(std::move(mesh), std::move(fields), parameters, onward);
   last.prepare += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 

@@ -58,12 +58,8 @@ std::vector<double> toughness_scale(const TriangleMesh& mesh, const SimulationPa
     if (forbidden[f] || in_input) scale[f] = std::numeric_limits<double>::infinity();
   }
   for (std::size_t f = 0; f < surface.mask.size(); ++f) {
-    scale[f] =
-        surface.mask[f] > 0
-            ? scale[f] /
-                  std::pow(surface.mask[f],
-                           1 - (std::getenv("WHERE_B") ? std::atof(std::getenv("WHERE_B")) : 0.0))
-            : std::numeric_limits<double>::infinity();
+    const double m = surface.mask[f];
+    scale[f] = m > 0 ? scale[f] / m : std::numeric_limits<double>::infinity();
   }
   return scale;
 }
@@ -162,13 +158,6 @@ SimulationFields initial_fields(const SimulationSurface& surface, const Triangle
   SimulationFields fields;
   fields.stress =
       in_world(mesh, initial_stress(mesh, p.stress, p.impacts, p.seed, input, context), 1);
-  if (const char* e = std::getenv("WHERE_B")) {
-    const double b = std::atof(e);
-    for (std::size_t f = 0; f < surface.mask.size(); ++f) {
-      const double m = surface.mask[f];
-      fields.stress[f] = std::pow(m, b) * fields.stress[f];
-    }
-  }
   if (p.evolution.curvature_growth != 0) {
     fields.growth = in_world(mesh, face_curvature(mesh, p.stress.curvature_radius, context),
                              p.evolution.curvature_growth);

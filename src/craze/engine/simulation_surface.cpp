@@ -14,12 +14,29 @@ namespace {
 // Of the screening length: fine enough to resolve how a crack unloads its surroundings.
 constexpr double edge_per_screening_length = 0.25;
 
-/// The edge length to remesh to; 0: not at all.
-double target_edge(const SurfaceMesh& surface, const Recipe& recipe) {
+// Of the edge that the pattern needs: a mesh whose mean edge is below is a scan, with more
+// triangles than the pattern can tell apart, and bumps that are none of its business.
+constexpr double scan_edge = 0.5;
+// Of that edge: how far the mesh of a scan may be from it, so that bumps of that height go.
+constexpr double scan_distance = 0.5;
+
+/// The edge length to remesh to, 0: not at all; and how.
+RemeshOptions remesh_options(const SurfaceMesh& surface, const Recipe& recipe) {
+  RemeshOptions options;
+  options.seed = recipe.simulation.seed;
   const EdgeLength& edge = recipe.mesh.edge;
-  if (edge.kind != EdgeLength::Kind::automatic) return edge.length;
+  if (edge.kind != EdgeLength::Kind::automatic) {
+    options.target_edge = edge.length;
+    options.coarsen = edge.kind == EdgeLength::Kind::given;
+    return options;
+  }
   const double target = edge_per_screening_length * recipe.simulation.layer.screening_length;
-  return target > 0 && mean_edge(surface.positions, surface.triangles) > target ? target : 0;
+  const double mean = mean_edge(surface.positions, surface.triangles);
+  // The input keeps its own triangles only where cracks are carried back onto them.
+  options.coarsen = recipe.mesh.output == OutputMesh::asset && mean < scan_edge * target;
+  if (options.coarsen) options.max_distance = scan_distance * target;
+  if (target > 0 && (mean > target || options.coarsen)) options.target_edge = target;
+  return options;
 }
 
 /// #F, 1 for marked faces and those that share a vertex with one: a face of the finer mesh takes
@@ -49,10 +66,7 @@ double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>
 
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
                                      const Context& context) {
-  RemeshOptions options;
-  options.target_edge = target_edge(repaired, recipe);
-  options.coarsen = recipe.mesh.edge.kind == EdgeLength::Kind::given;
-  options.seed = recipe.simulation.seed;
+  const RemeshOptions options = remesh_options(repaired, recipe);
   check_scale(repaired, recipe, options.target_edge, physical_memory());
   if (options.target_edge == 0) return {std::move(repaired), {}, {}, {}, {}};
 

@@ -29,9 +29,10 @@ struct SimulationSurface {
 double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles);
 
 /// mesh.edge "keep": the input itself. A length: remeshed to it. "auto": remeshed to a quarter of
-/// the screening length where the input's edges are longer than that on average, else the input
-/// itself. Throws Error(request) for a spacing or edge that the object or this machine's memory is
-/// too small for.
+/// the screening length where the input's edges are longer than that on average, and with
+/// mesh.output "asset" where they are shorter than half of it, a scan, whose bumps up to half of
+/// that height are then smoothed away; else the input itself. Throws Error(request) for a spacing
+/// or edge that the object or this machine's memory is too small for.
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
                                      const Context& context);
 

@@ -7,6 +7,7 @@
 #include "craze/io/off/off.h"
 #include "craze/io/ply/ply.h"
 #include "craze/io/stl/stl.h"
+#include "craze/io/usd/usd.h"
 
 namespace craze {
 
@@ -18,6 +19,7 @@ std::span<const MeshFormat> mesh_formats() {
       {"off", is_off, read_off, nullptr, false, false},
       {"gltf", is_gltf, read_gltf, nullptr, false, false},
       {"glb", is_glb, read_gltf, format_glb, true, true},
+      {"usda", nullptr, nullptr, format_usda, true, true},
   };
   return all;
 }

@@ -1,11 +1,13 @@
 // What a reader of meshes is given, and where it says what it left out.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "craze/context.h"
+#include "craze/io/source_scene.h"
 #include "craze/read_mesh.h"
 
 namespace craze {
@@ -18,6 +20,8 @@ struct MeshSource {
   const Context& context;              ///< readers report "load" and throw Cancelled
   std::vector<std::string>& warnings;  ///< one sentence for each kind of thing that was left out
   std::vector<std::string>& textures;  ///< pictures that the file names, in its own words
+  std::vector<MaterialLook>* looks;    ///< MeshFile::looks; null: not wanted
+  std::shared_ptr<const SourceScene>& scene;  ///< what else the file holds; may stay null
 
   void warn(std::string sentence) const { warnings.push_back(std::move(sentence)); }
 };

@@ -49,7 +49,8 @@ MeshFile read_mesh(std::string_view bytes, const std::string& name, const FileLo
                                  known_extensions()));
   }
   MeshFile file;
-  file.mesh = format->read({bytes, name, files, context, file.warnings, file.textures});
+  file.mesh = format->read(
+      {bytes, name, files, context, file.warnings, file.textures, &file.looks, file.scene});
   return file;
 }
 

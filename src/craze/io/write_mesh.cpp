@@ -6,7 +6,10 @@
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/files/extension.h"
+#include "craze/io/gltf/gltf.h"
 #include "craze/io/mesh_formats.h"
+#include "craze/io/obj/obj_scene.h"
+#include "craze/io/source_scene.h"
 
 namespace craze {
 
@@ -50,11 +53,34 @@ void check_options(const MeshFormat* format, const std::string& where, bool obje
   }
 }
 
+/// Kinds of a scene's contents that the format keeps of that scene.
+std::vector<std::string> kept_kinds(const MeshFormat& format) {
+  if (format.name == "obj") {
+    return {"nodes", "objects and groups", "material libraries", "pictures of base colours"};
+  }
+  if (format.name == "ply") return {"comments"};
+  if (format.name == "glb") {
+    return {"materials", "textures", "images", "material libraries", "pictures of base colours"};
+  }
+  return {};
+}
+
+void warn_of_lost(const MeshFormat& format, const MeshFileOptions& options) {
+  if (!options.scene || !options.warn) return;
+  if (format.name == "glb" && keeps_scene(options)) return;
+  std::string target = fmt::format(".{}", format.name);
+  if (!options.objects.empty()) target += " with fragments as objects";
+  const std::string lost = describe_lost(options.scene->contents(), kept_kinds(format), target);
+  if (!lost.empty()) options.warn(lost);
+}
+
 std::string format_as(const SurfaceMesh& mesh, std::string_view name, const std::string& where,
                       const MeshFileOptions& options, const Context& context) {
   const bool objects = !options.objects.empty(), animation = options.animation != nullptr;
   check_options(find_mesh_format(name), where, objects, animation);
-  return writable_format(name, where).format(mesh, options, context);
+  const MeshFormat& format = writable_format(name, where);
+  warn_of_lost(format, options);
+  return format.format(mesh, options, context);
 }
 
 }  // namespace
@@ -70,7 +96,18 @@ std::string format_mesh(const SurfaceMesh& mesh, std::string_view format,
 
 void write_mesh(const std::filesystem::path& path, const SurfaceMesh& mesh,
                 const MeshFileOptions& options, const Context& context) {
-  const std::string bytes = format_as(mesh, lower_extension(path), path.string(), options, context);
+  const std::string extension = lower_extension(path);
+  const auto* obj = dynamic_cast<const ObjScene*>(options.scene.get());
+  MeshFileOptions own = options;
+  ObjLibrary library;
+  if (obj && extension == ".obj" && options.material_library.empty()) {
+    library = library_beside(path, *obj, mesh);
+    own.material_library = library.names;
+  }
+  const std::string bytes = format_as(mesh, extension, path.string(), own, context);
+  if (!library.file.empty()) {
+    write_file(library.file, library.text, "cannot write the materials", context);
+  }
   write_file(path, bytes, "cannot write mesh", context);
 }
 

@@ -141,7 +141,7 @@ void check_request(const RunRequest& request) {
   const bool report_file = !request.report.empty() && request.report != "-";
   const std::string none;
   const std::vector<Output> outputs{
-      {"the mesh", request.output, {".ply", ".obj", ".stl", ".glb"}},
+      {"the mesh", request.output, {".ply", ".obj", ".stl", ".glb", ".usda"}},
       {"the crack lines", request.lines, {".ply", ".obj", ".svg", ".json"}},
       {"the picture", request.picture, {".png"}},
       {"the video", request.video, {".mp4", ".webm"}},

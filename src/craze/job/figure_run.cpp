@@ -96,6 +96,9 @@ FigurePart make_part(const Figure& figure, std::string_view recipe, const Figure
   part.command = command_of(figure, std::string(recipe), run_request.input, request, made);
   part.triangles = result.report.simulation.triangles;
   part.seconds = run_seconds(result.report.time);
+  for (const std::string& warning : result.report.warnings) {
+    part.warnings.push_back(fmt::format("{}: {}", name, warning));
+  }
   return part;
 }
 
@@ -122,7 +125,8 @@ FigureResult make_figure(const Figure& figure, const FigureRequest& request,
                             {file},
                             fmt::format("craze figures {} -o .", figure.name),
                             0,
-                            0});
+                            0,
+                            {}});
     return result;
   }
   result.stands_in = !figure.mesh.empty() && input_of(figure, request.meshes) == figure.shape;

@@ -24,6 +24,7 @@ struct FigurePart {
   std::string command;                ///< what makes the same picture
   std::int64_t triangles = 0;         ///< of the simulation mesh, before the first crack
   double seconds = 0;                 ///< of the run without its picture
+  std::vector<std::string> warnings;  ///< of its report, each after its name
 };
 
 struct FigureResult {

@@ -9,11 +9,14 @@
 
 namespace craze {
 
-CrackGraphInput graph_from_file(const std::filesystem::path& path) {
+CrackGraphInput graph_from_file(const std::filesystem::path& path,
+                                std::vector<std::string>& warnings) {
   const std::string name = path.string();
   if (name.starts_with("null:")) return null_graph(name.substr(5));
   if (const auto lines = read_lines_file(path)) return graph_from_lines(*lines);
-  CrackGraphInput graph = graph_from_cut_mesh(read_mesh_file(path).mesh);
+  const MeshFile file = read_mesh_file(path);
+  warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
+  CrackGraphInput graph = graph_from_cut_mesh(file.mesh);
   if (std::all_of(graph.edges.begin(), graph.edges.end(),
                   [](const GraphInputEdge& e) { return e.border; })) {
     throw Error(ErrorKind::request, "no cracks to measure", name,

@@ -32,7 +32,7 @@ class Photographer {
   Photographer(const GrowthScene& scene, const PostParameters& post,
                const render::PictureOptions& options, const Context& context)
       : scene_(scene), options_(options), mesh_(scene.shown.mesh) {
-    options_.subject = mesh_.positions;
+    options_.subject = render::subject_of(mesh_);
     mesh_.face_attributes.clear();  // fragments look alike before they are ones
     mesh_.corner_normals = picture_normals(scene.shown, scene.result, post, options_.crease);
     lines_ = picture_lines(scene.shown, scene.result, render::line_reach(mesh_, options_), context);

@@ -17,7 +17,9 @@ bool is_shape(std::string_view input) {
 MeshFile load_surface(const std::string& input, const Context& context) {
   context.check();
   context.report({"load"});
-  if (is_shape(input)) return {make_shape(input.substr(prefix.size())), {}, {}};
+  if (is_shape(input)) {
+    return {make_shape(input.substr(prefix.size()), context), {}, {}, {}, nullptr};
+  }
   return read_mesh_file(input, context);
 }
 

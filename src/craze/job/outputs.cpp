@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "craze/engine/cracked_surface.h"
+#include "craze/io/files/extension.h"
 #include "craze/io/lines/write_lines.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/growth_frames.h"
@@ -13,9 +14,13 @@
 #include "craze/products/cut_surface.h"
 #include "craze/products/field_mesh.h"
 #include "craze/products/growth/growth.h"
+#include "craze/products/opening/crack_edges.h"
+#include "craze/products/opening/opened_origin.h"
 #include "craze/products/statistics/graph/graph_input.h"
+#include "craze/recipe/own_lengths.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
+#include "craze/render/smooth_normals.h"
 #include "craze/write_mesh.h"
 
 namespace craze {
@@ -28,8 +33,10 @@ bool shows_mesh(const RunRequest& request) {
            request.video.empty());
 }
 
-render::PictureOptions picture_options(const RunRequest& request) {
+render::PictureOptions picture_options(const RunRequest& request,
+                                       const std::vector<render::Look>& looks) {
   render::PictureOptions options = request.shot;
+  options.looks = looks;
   options.material = render::find_material(request.recipe.picture.material);
   options.view.up = request.recipe.picture.up;
   // Built-in shapes stand along z.
@@ -39,10 +46,10 @@ render::PictureOptions picture_options(const RunRequest& request) {
   return options;
 }
 
-void write_picture(const RunRequest& request, const OpenedSurface& shown, const Result& result,
-                   const Context& context) {
-  const render::PictureOptions options = picture_options(request);
+void write_picture(const RunRequest& request, render::PictureOptions options,
+                   const OpenedSurface& shown, const Result& result, const Context& context) {
   SurfaceMesh drawn = shown.mesh;
+  options.subject = render::subject_of(drawn);
   drawn.corner_normals =
       picture_normals(shown, result, result.report().recipe.post, options.crease);
   const render::CrackLines lines =
@@ -51,9 +58,24 @@ void write_picture(const RunRequest& request, const OpenedSurface& shown, const 
                     context);
 }
 
+/// Viewers shade a GLB without normals flat. A surface that came without is shaded as in pictures,
+/// edges sharper than the crease hard.
+std::vector<Vec3> shading_normals(const RunRequest& request, const OpenedSurface& shown,
+                                  const Result& result) {
+  const double crease = request.shot.crease;
+  std::vector<Vec3> normals = picture_normals(shown, result, result.report().recipe.post, crease);
+  if (!normals.empty()) return normals;
+  for (const render::Vec3f& n : render::smooth_normals(shown.mesh, crease)) {
+    normals.push_back(n.cast<double>());
+  }
+  return normals;
+}
+
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
 void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown,
-                           const Result& result, Report& report, const Context& context) {
+                           const Result& result, const BesideSurface& beside,
+                           const render::PictureOptions& picture, Report& report,
+                           const Context& context) {
   const bool frames = !request.frames.empty() || !request.video.empty();
   std::optional<Growth> growth;
   if (request.animate || frames) growth.emplace(result, shown);
@@ -64,21 +86,40 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
       animation = growth->animation(request.animation_stages, request.clip_seconds, context);
     }
     MeshFileOptions options;
+    const std::vector<MaterialLook> seen =
+        looks_from(beside.looks.of_file, request.input, request.output);
+    if (!seen.empty()) options.looks = &seen;
+    options.up = picture.view.up;
+    options.metres_per_unit = metres_per_unit(shown.mesh, result.report().recipe);
     if (request.split_fragments) options.objects = "fragment";
     if (request.animate) options.animation = &animation;
+    const SurfaceOrigin origin = opened_origin(result, shown);
+    options.scene = beside.scene;
+    if (!origin.face.empty()) options.origin = &origin;
+    if (shown.shut && request.recipe.post.lines != ShutCracks::none) {
+      options.crack_edges = crack_edges(result, shown);
+    }
     options.warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
-    write_mesh(request.output, shown.mesh, options, context);
+    if (lower_extension(request.output) == ".glb" && shown.mesh.corner_normals.empty()) {
+      SurfaceMesh shaded = shown.mesh;
+      shaded.corner_normals = shading_normals(request, shown, result);
+      write_mesh(request.output, shaded, options, context);
+    } else {
+      write_mesh(request.output, shown.mesh, options, context);
+    }
   }
   if (frames) {
-    write_frames(request, {result, shown, *growth}, picture_options(request), context);
+    write_frames(request, {result, shown, *growth}, picture, context);
   }
 }
 
 }  // namespace
 
 std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request,
-                                                       const Result& result, Report& report,
+                                                       const Result& result,
+                                                       const BesideSurface& beside, Report& report,
                                                        const Context& context) {
+  const render::PictureOptions picture = picture_options(request, beside.looks.shown);
   GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
@@ -87,9 +128,12 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
                                              result.report().recipe.post, context);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
-  write_mesh_and_growth(request, shown, result, report, context);
+  write_mesh_and_growth(request, shown, result, beside, picture, report, context);
   context.check();
-  if (!request.lines.empty()) write_lines(request.lines, crack_lines(result), context);
+  const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
+  if (!request.lines.empty()) {
+    write_lines(request.lines, crack_lines(result, context), warn, context);
+  }
   context.check();
   if (!request.maps.folder.empty()) {
     MapsRequest maps = request.maps;
@@ -100,11 +144,13 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   context.check();
   if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context), {}, context);
   context.check();
-  if (!request.picture.empty()) write_picture(request, shown, result, context);
+  if (!request.picture.empty()) write_picture(request, picture, shown, result, context);
   context.check();
   const CrackedSurface& state = result.state();
   if (request.report.empty() || state.network.edges.empty()) return {};
-  return compute_with_sensitivity(graph_from_network(state.network, state.mesh()));
+  StatisticsOptions options;
+  options.bootstrap.context = context;
+  return compute_with_sensitivity(graph_from_network(state.network, state.mesh()), options);
 }
 
 }  // namespace craze

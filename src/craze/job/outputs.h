@@ -1,20 +1,30 @@
 // The files of a run.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "craze/context.h"
 #include "craze/engine.h"
+#include "craze/job/material_looks.h"
 #include "craze/job/run.h"
 #include "craze/products/statistics/statistics.h"
+#include "craze/read_mesh.h"
 
 namespace craze {
+
+/// What a run's input brought besides its surface.
+struct BesideSurface {
+  MaterialLooks looks;
+  std::shared_ptr<const SourceScene> scene;  ///< null: nothing
+};
 
 /// Writes everything asked for but the report, of which it counts the output and adds warnings.
 /// Returns the statistics of the pattern where a report is asked for and there are cracks. Throws
 /// Error(output), and Cancelled, with every file whole or not there.
 std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request,
-                                                       const Result& result, Report& report,
+                                                       const Result& result,
+                                                       const BesideSurface& beside, Report& report,
                                                        const Context& context);
 
 }  // namespace craze

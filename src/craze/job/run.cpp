@@ -8,6 +8,7 @@
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/image/read_image.h"
 #include "craze/job/load_surface.h"
+#include "craze/job/material_looks.h"
 #include "craze/job/outputs.h"
 #include "craze/model/simulation.h"
 #include "craze/products/report_json.h"
@@ -30,10 +31,29 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-Input load(const RunRequest& request, std::vector<std::string>& warnings, const Context& context) {
+/// What was read, and what goes past the engine.
+struct Loaded {
   Input input;
+  std::vector<std::string> warnings;
+  BesideSurface beside;
+};
+
+bool takes_pictures(const RunRequest& request) {
+  const bool frames = !request.frames.empty() && request.frame_format == "png";
+  return !request.picture.empty() || !request.video.empty() || frames;
+}
+
+Loaded load(const RunRequest& request, const Context& context) {
+  Loaded loaded;
+  Input& input = loaded.input;
   MeshFile file = load_surface(request.input, context);
-  warnings = std::move(file.warnings);
+  loaded.warnings = std::move(file.warnings);
+  MaterialLooks& looks = loaded.beside.looks;
+  if (takes_pictures(request) && !request.plain) {
+    looks.shown = material_looks(file.looks, request.input, loaded.warnings, context);
+  }
+  looks.of_file = std::move(file.looks);
+  loaded.beside.scene = std::move(file.scene);
   input.name = request.input;
   input.surface = std::make_shared<const SurfaceMesh>(std::move(file.mesh));
   const SimulationParameters& p = request.recipe.simulation;
@@ -43,7 +63,7 @@ Input load(const RunRequest& request, std::vector<std::string>& warnings, const 
       input.textures.emplace(*path, to_grey(read_image_file(*path, context)));
     }
   }
-  return input;
+  return loaded;
 }
 
 /// What is written after a run that was stopped is written whole; a second signal kills. Progress
@@ -65,21 +85,21 @@ Context for_writing(const Context& context, const Report& report, bool stopped) 
 RunResult run(const RunRequest& request, const Context& context) {
   check_request(request);
   Stopwatch total, phase;
-  std::vector<std::string> warnings;
-  Input input = load(request, warnings, context);
-  if (!request.maps.folder.empty()) check_uvs(*input.surface);
+  Loaded loaded = load(request, context);
+  if (!request.maps.folder.empty()) check_uvs(*loaded.input.surface);
   const double load_time = phase.lap();
 
-  const Result result = crack(std::move(input), request.recipe, {request.max_cracks}, context);
+  const Result result =
+      crack(std::move(loaded.input), request.recipe, {request.max_cracks}, context);
   const bool stopped = result.report().stop_reason == to_string(StopReason::cancelled);
   Report report = result.report();
   report.time.load += load_time;
-  report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
+  report.warnings.insert(report.warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
   phase.lap();
 
   const Context writing = for_writing(context, report, stopped);
   writing.report({"write"});
-  const auto statistics = write_outputs(request, result, report, writing);
+  const auto statistics = write_outputs(request, result, loaded.beside, report, writing);
   writing.check();
   report.time.write = phase.lap();
   report.time.total = total.lap();

@@ -20,19 +20,20 @@ struct RunRequest {
   /// Crack events to stop after; unlike evolution.max_cracks, 0 means none: the initial state.
   std::optional<std::int64_t> max_cracks;
 
-  std::string output;   ///< the cracked mesh: .ply .obj .stl .glb
+  std::string output;   ///< the cracked mesh: .ply .obj .stl .glb .usda
   std::string lines;    ///< the cracks: .ply .obj .svg .json
   std::string picture;  ///< .png
   std::string frames;   ///< a folder, made if need be: frame_0000 … of the growth
   int frame_count = 24;
   std::string frame_format = "png";  ///< pictures, or meshes: ply, obj, stl, glb
   std::string video;                 ///< the frames' pictures as .mp4 or .webm; needs ffmpeg
-  bool animate = false;              ///< `output`, a .glb, plays the growth
+  bool animate = false;              ///< `output`, .glb or .usda, plays the growth
   int animation_stages = 32;         ///< morph targets of it
   double clip_seconds = 4;           ///< how long the growth takes there and in the video
-  bool split_fragments = false;      ///< `output`, .obj or .glb, has an object per fragment
+  bool split_fragments = false;      ///< `output`, not .ply or .stl, has an object per fragment
   /// How pictures are taken. Material and upward axis are the recipe's.
   render::PictureOptions shot;
+  bool plain = false;  ///< in the material's colours, not in those of the input's own materials
   MapsRequest maps;    ///< maps of the cracks; gap and wall are the recipe's
   std::string fields;  ///< stress, forces and curvatures at the end: .ply
   std::string report;  ///< .json, or "-": only in the result

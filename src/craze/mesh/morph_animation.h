@@ -21,4 +21,8 @@ struct MorphAnimation {
   std::vector<MorphStage> stages;
 };
 
+/// The stages as a part of the mesh sees them: `vertices`, ascending, are those of the whole mesh.
+std::vector<MorphStage> stages_of(const MorphAnimation& animation,
+                                  const std::vector<std::int32_t>& vertices);
+
 }  // namespace craze

@@ -19,6 +19,23 @@ struct MeanDisplacement {
   Vec3 mean() const { return length > 0 ? Vec3(sum / length) : Vec3::Zero(); }
 };
 
+/// How far along a segment a side reaches.
+struct Reach {
+  double begin, end;
+  std::int32_t halfedge;
+};
+
+/// The shortest of those that hold the piece from begin to end: one side of a crack may be split
+/// where the other is not.
+std::int32_t shortest_side(const std::vector<Reach>& reaches, double begin, double end) {
+  const Reach* best = nullptr;
+  for (const Reach& r : reaches) {
+    if (r.begin > begin || r.end < end) continue;
+    if (!best || r.end - r.begin < best->end - best->begin) best = &r;
+  }
+  return best ? best->halfedge : -1;
+}
+
 }  // namespace
 
 CrackNetwork crack_network(const Simulation& simulation) {
@@ -43,12 +60,14 @@ CrackNetwork crack_network(const Simulation& simulation) {
   };
 
   std::vector<std::pair<double, std::int32_t>> along;  // (position on the segment, root)
+  std::vector<Reach> reaches;
   for (std::size_t i = 0; i < sides.size();) {
     const OpenedSegment& segment = simulation.opened()[sides[i].label];
     const std::int32_t a = segment.geometry.from_root, b = segment.geometry.to_root;
     const Vec3& origin = mesh.position(a);
     const Vec3 direction = mesh.position(b) - origin;
     along.clear();
+    reaches.clear();
     MeanDisplacement left, right;
     std::size_t j = i;
     for (; j < sides.size() && sides[j].label == sides[i].label; ++j) {
@@ -57,9 +76,11 @@ CrackNetwork crack_network(const Simulation& simulation) {
       MeanDisplacement& side = edge.dot(direction) > 0 ? left : right;
       side.sum += 0.5 * edge.norm() * (field.displacement(from) + field.displacement(to));
       side.length += edge.norm();
-      for (const std::int32_t v : {from, to}) {
-        along.emplace_back((mesh.position(v) - origin).dot(direction), mesh.root(v));
-      }
+      const double begin = (mesh.position(from) - origin).dot(direction);
+      const double end = (mesh.position(to) - origin).dot(direction);
+      along.emplace_back(begin, mesh.root(from));
+      along.emplace_back(end, mesh.root(to));
+      reaches.push_back({std::min(begin, end), std::max(begin, end), sides[j].halfedge});
     }
     i = j;
     std::sort(along.begin(), along.end());
@@ -73,6 +94,7 @@ CrackNetwork crack_network(const Simulation& simulation) {
       edge.width = width;
       edge.event = segment.event;
       edge.face = segment.geometry.source_face;
+      edge.side = shortest_side(reaches, along[k].first, along[k + 1].first);
       network.edges.push_back(edge);
     }
   }

@@ -32,6 +32,7 @@ struct CrackEdge {
   double width = 0;             ///< opening of Eq. 9 with γ = 1, averaged over the edge, length
   std::int32_t event = 0;       ///< the crack event that made it, counted from 0
   std::int32_t face = -1;       ///< an input triangle that holds the edge
+  std::int32_t side = -1;       ///< of the cut mesh: the shortest side of the crack that holds it
 };
 
 /// Edges meet only at nodes: a crack that ends on another one splits it there.

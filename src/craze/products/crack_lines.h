@@ -8,7 +8,7 @@
 namespace craze {
 
 /// Point attributes: junction (JunctionKind as a number), nx ny nz. Edge attributes: time, width,
-/// event. UVs, two per edge, where the surface has some.
-LineSet crack_lines(const Result& result);
+/// event. UVs, two per edge, where the surface has some. Throws Cancelled.
+LineSet crack_lines(const Result& result, const Context& context = {});
 
 }  // namespace craze

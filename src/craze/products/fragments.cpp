@@ -3,9 +3,10 @@
 
 namespace craze {
 
-std::vector<SurfaceMesh> fragments(const SurfaceMesh& mesh) {
+std::vector<SurfaceMesh> fragments(const SurfaceMesh& mesh, const Context& context) {
   std::vector<SurfaceMesh> pieces;
   for (const MeshPart& part : mesh_parts(mesh, "fragment")) {
+    context.check();
     pieces.push_back(extract_part(mesh, part.faces).mesh);
   }
   return pieces;

@@ -15,8 +15,14 @@ namespace craze {
 
 namespace {
 
-StatisticsWithSensitivity statistics_of(const CrackedSurface& state) {
-  return compute_with_sensitivity(graph_from_network(state.network, state.mesh()));
+StatisticsWithSensitivity statistics_of(const CrackGraphInput& graph, const Context& context) {
+  StatisticsOptions options;
+  options.bootstrap.context = context;
+  return compute_with_sensitivity(graph, options);
+}
+
+StatisticsWithSensitivity statistics_of(const CrackedSurface& state, const Context& context) {
+  return statistics_of(graph_from_network(state.network, state.mesh()), context);
 }
 
 }  // namespace
@@ -66,22 +72,22 @@ std::vector<double> GrowthClip::openness_at(double time) const {
   return state_->growth.openness_at(time);
 }
 
-std::string report_json(const Result& result) {
+std::string report_json(const Result& result, const Context& context) {
   const CrackedSurface& state = result.state();
   if (state.network.edges.empty()) return report_to_json(result.report(), nullptr).dump(2);
-  const StatisticsWithSensitivity statistics = statistics_of(state);
+  const StatisticsWithSensitivity statistics = statistics_of(state, context);
   return report_to_json(result.report(), &statistics).dump(2);
 }
 
-std::string statistics_json(const Result& result) {
+std::string statistics_json(const Result& result, const Context& context) {
   if (result.state().network.edges.empty()) return "{}";
-  return to_json(statistics_of(result.state()), {}).dump(2);
+  return to_json(statistics_of(result.state(), context), {}).dump(2);
 }
 
-std::string statistics_json(const LineSet& lines, double simplify) {
+std::string statistics_json(const LineSet& lines, double simplify, const Context& context) {
   CrackGraphInput graph = graph_from_lines(lines);
   simplify_lines(graph, simplify);
-  return to_json(compute_with_sensitivity(graph), {}).dump(2);
+  return to_json(statistics_of(graph, context), {}).dump(2);
 }
 
 }  // namespace craze

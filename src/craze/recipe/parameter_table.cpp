@@ -292,7 +292,11 @@ std::vector<Parameter> make_table() {
             .source = "[IO06 §5]"})
       .add("curl", &PostParameters::curl, any,
            {.help = "lift of the crack edges, as a share of their displacement; below 0: down",
-            .source = "[IO06 §5, Fig. 9]"});
+            .source = "[IO06 §5, Fig. 9]"})
+      .add("lines", &PostParameters::lines, any,
+           {.help = "cracks that are shut, gap 0, in GLB: \"auto\": dark lines a hair above the "
+                    "surface, so that every viewer shows them; \"none\": the surface alone",
+            .choices = {"auto", "none"}});
 
   Section(
       t, "picture.", [](auto& r, std::size_t) -> auto& { return r.picture; })

@@ -9,17 +9,38 @@ namespace craze::render {
 
 namespace {
 
+constexpr double thin = 0.08;  // of the size: a plate
+constexpr double sheet = 0.6;  // least length of `facing` of a sheet: a hemisphere has 0.5
+constexpr double lying = 0.7;  // least part of it along the vertical of a sheet that lies
+
 struct Axes {
-  Vec3 up, right;
-  bool flat;
+  Vec3 up, right, back;  ///< back: away from the viewer at azimuth 0
+  bool flat;             ///< a plate that lies
+  double front;          ///< the azimuth that what stands is seen from the front at, radians
 };
 
-Axes choose_axes(const Vec3& extent, UpAxis up) {
-  constexpr double thin = 0.08;
+/// The azimuth of a level direction from the object.
+double azimuth_of(const Axes& axes, const Vec3& d) {
+  return elementary::atan2(d.dot(axes.right), -d.dot(axes.back));
+}
+
+Axes choose_axes(const Vec3& extent, const Vec3& facing, UpAxis up) {
+  const bool automatic = up == UpAxis::automatic;
   const double size = extent.maxCoeff();
-  if (up == UpAxis::automatic) up = extent.z() < thin * size ? UpAxis::z : UpAxis::y;
+  if (automatic) up = extent.z() < thin * size ? UpAxis::z : UpAxis::y;
   const int axis = up == UpAxis::x ? 0 : up == UpAxis::y ? 1 : 2;
-  return {Vec3::Unit(axis), Vec3::Unit(axis == 0 ? 1 : 0), extent[axis] < thin * size};
+  Axes axes{Vec3::Unit(axis), Vec3::Unit(axis == 0 ? 1 : 0), {}, extent[axis] < thin * size, 0};
+  const bool is_sheet = facing.norm() > sheet;
+  const double upward = is_sheet ? facing.dot(axes.up) / facing.norm() : 0;
+  if (automatic && upward < -lying) axes.up = -axes.up;
+  axes.back = axes.up.cross(axes.right);
+  if (axes.flat || std::abs(upward) > lying) return axes;
+  if (is_sheet) {
+    axes.front = azimuth_of(axes, facing);
+  } else if (std::abs(extent.dot(axes.right)) < thin * size) {
+    axes.front = std::numbers::pi / 2;
+  }
+  return axes;
 }
 
 /// The bounds of the points' sight lines to one side: the eye must lie between them.
@@ -54,24 +75,25 @@ void centre_picture(const std::vector<Vec3>& points, Camera& camera) {
 
 }  // namespace
 
-Camera frame(const std::vector<Vec3>& points, const View& view, double aspect) {
+Camera frame(const Subject& subject, const View& view, double aspect) {
+  const std::vector<Vec3>& points = subject.points;
   Vec3 low = points.front(), high = points.front();
   for (const Vec3& p : points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const Axes axes = choose_axes(high - low, view.up);
+  const Axes axes = choose_axes(high - low, subject.facing, view.up);
   const double degree = std::numbers::pi / 180;
-  const double azimuth = view.azimuth.value_or(axes.flat ? 0 : 25) * degree;
+  const double azimuth =
+      view.azimuth ? *view.azimuth * degree : axes.front + (axes.flat ? 0 : 25) * degree;
 
   Camera camera;
   camera.elevation = view.elevation.value_or(axes.flat ? 55 : 18);
   camera.vertical = axes.up;
-  const Vec3 back = axes.up.cross(axes.right);  // away from the viewer at azimuth 0
-  const Vec3 level = elementary::sin(azimuth) * axes.right - elementary::cos(azimuth) * back;
+  const Vec3 level = elementary::sin(azimuth) * axes.right - elementary::cos(azimuth) * axes.back;
   const double e = camera.elevation * degree;
   camera.forward = -(elementary::cos(e) * level + elementary::sin(e) * axes.up);
-  camera.right = elementary::cos(azimuth) * axes.right + elementary::sin(azimuth) * back;
+  camera.right = elementary::cos(azimuth) * axes.right + elementary::sin(azimuth) * axes.back;
   camera.up = camera.right.cross(camera.forward);
   camera.tan_y = elementary::tan(view.field_of_view * degree / 2);
   camera.tan_x = camera.tan_y * aspect;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
+#include "craze/render/subject.h"
 #include "craze/tensor.h"
 #include "craze/up_axis.h"
 
@@ -14,8 +14,11 @@ using craze::UpAxis;
 /// Where the picture is taken from. At azimuth 0 the first horizontal axis (x, or y when x is up)
 /// runs to the right; the camera moves to the right as the azimuth grows.
 struct View {
-  UpAxis up = UpAxis::automatic;    ///< of the world
-  std::optional<double> azimuth;    ///< degrees; by default 0 for flat plates, 25 otherwise
+  /// Of the world. Automatic turns a sheet that faces down over, so that its front is seen.
+  UpAxis up = UpAxis::automatic;
+  /// Degrees; by default 0 for flat plates, 25 otherwise, counted from where a sheet that stands
+  /// faces, or from the broad side of a slab that stands.
+  std::optional<double> azimuth;
   std::optional<double> elevation;  ///< degrees above the horizon; by default 55 and 18
   double field_of_view = 24;        ///< vertical, degrees
   double margin = 0.08;             ///< free border, as a fraction of the picture
@@ -35,8 +38,8 @@ struct Camera {
   Vec3 ray(double x, double y) const { return forward + x * tan_x * right + y * tan_y * up; }
 };
 
-/// The camera nearest to the points that has them all inside the margin. `aspect` is width over
-/// height. There must be at least one point.
-Camera frame(const std::vector<Vec3>& points, const View& view, double aspect);
+/// The camera nearest to the subject's points that has them all inside the margin. `aspect` is
+/// width over height. There must be at least one point.
+Camera frame(const Subject& subject, const View& view, double aspect);
 
 }  // namespace craze::render

@@ -8,8 +8,8 @@
 namespace craze {
 
 /// The mesh with its shut cracks as lines: open edges that lie on each other without sharing their
-/// vertices. Where the mesh has the attribute crack_distance, only edges on which it is 0, so that
-/// texture seams are not taken for cracks. Throws what repair() and render_picture() throw.
+/// vertices and are no seams (products/distance/crack_seams.h). Throws what repair() and
+/// render_picture() throw.
 render::Image mesh_picture(const SurfaceMesh& mesh, const render::PictureOptions& options,
                            const Context& context);
 

@@ -31,8 +31,13 @@ Bounds bounds(const std::vector<Vec3>& points) {
   return {(low + high) / 2, (high - low).norm()};
 }
 
-const std::vector<Vec3>& subject(const SurfaceMesh& mesh, const PictureOptions& options) {
-  return options.subject.empty() ? mesh.positions : options.subject;
+Subject subject(const SurfaceMesh& mesh, const PictureOptions& options) {
+  return options.subject.points.empty() ? subject_of(mesh) : options.subject;
+}
+
+double diagonal(const SurfaceMesh& mesh, const PictureOptions& options) {
+  const Subject of = subject(mesh, options);
+  return of.points.empty() ? 0 : bounds(of.points).diagonal;
 }
 
 [[noreturn]] void refuse(const std::string& where, const std::string& why) {
@@ -85,6 +90,15 @@ std::vector<std::int32_t> find_pieces(const SurfaceMesh& mesh) {
   return pieces;
 }
 
+/// The mesh's own colours; faces of materials beyond them, such as walls, have none.
+void add_looks(const SurfaceMesh& mesh, const std::vector<Look>& looks, TracedModel& model) {
+  model.looks = looks;
+  const auto count = static_cast<std::int32_t>(looks.size());
+  for (const std::int32_t m : mesh.face_materials) model.look.push_back(m < count ? m : -1);
+  if (mesh.corner_uvs.size() != 3 * mesh.triangles.size()) return;
+  for (const Vec2& uv : mesh.corner_uvs) model.uvs.push_back(uv.cast<float>());
+}
+
 /// The mesh's own normals where it has them.
 std::vector<Vec3f> shading_normals(const SurfaceMesh& mesh, double crease) {
   if (mesh.corner_normals.size() != 3 * mesh.triangles.size()) return smooth_normals(mesh, crease);
@@ -97,21 +111,20 @@ std::vector<Vec3f> shading_normals(const SurfaceMesh& mesh, double crease) {
 }  // namespace
 
 double line_width(const SurfaceMesh& mesh, const PictureOptions& options) {
-  if (options.line_width > 0 || mesh.positions.empty()) return options.line_width;
-  return 0.0021 * bounds(subject(mesh, options)).diagonal;
+  return options.line_width > 0 ? options.line_width : 0.0021 * diagonal(mesh, options);
 }
 
 double line_reach(const SurfaceMesh& mesh, const PictureOptions& options) {
-  const double diagonal = mesh.positions.empty() ? 0 : bounds(subject(mesh, options)).diagonal;
   return std::max(LinePainter::reach * line_width(mesh, options),
-                  1.5 * options.material.fissure * diagonal);
+                  1.5 * options.material.fissure * diagonal(mesh, options));
 }
 
 Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
                      const PictureOptions& options, const Context& context) {
   check(mesh, lines, options);
   context.report({.phase = "picture", .fraction = 0});
-  const Bounds box = bounds(subject(mesh, options));
+  Subject framed = subject(mesh, options);
+  const Bounds box = bounds(framed.points);
   const double scale = box.diagonal > 0 ? 1 / box.diagonal : 1;
 
   TracedModel model;
@@ -125,20 +138,20 @@ Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
   model.normals = shading_normals(mesh, options.crease);
   model.is_wall = find_walls(mesh);
   model.pieces = find_pieces(mesh);
+  if (!options.looks.empty()) add_looks(mesh, options.looks, model);
   const LinePainter painter(lines ? *lines : CrackLines{}, box.centre, scale,
                             scale * line_width(mesh, options) / 2);
   model.lines = lines ? &painter : nullptr;
 
-  std::vector<Vec3> framed = subject(mesh, options);
-  for (Vec3& p : framed) p = scale * (p - box.centre);
+  for (Vec3& p : framed.points) p = scale * (p - box.centre);
   View view = options.view;
   if (view.target) view.target = scale * (*view.target - box.centre);
   const Camera camera = frame(framed, view, static_cast<double>(options.width) / options.height);
   const Studio studio(camera, options.backdrop.value_or(options.material.backdrop), options.light);
   const int groups = (options.samples + RayScene::lanes - 1) / RayScene::lanes;
   context.check();
-  const Tracer tracer(model, options.material, camera, studio, options.ground, groups,
-                      options.seed);
+  const Tracer tracer(model, options.material, camera, studio,
+                      options.ground ? framed.points : std::vector<Vec3>{}, groups, options.seed);
 
   Film film(options.width, options.height, context);
   const auto width = static_cast<std::size_t>(options.width);

@@ -9,8 +9,10 @@
 #include "craze/render/camera.h"
 #include "craze/render/crack_lines.h"
 #include "craze/render/image.h"
+#include "craze/render/look.h"
 #include "craze/render/material.h"
 #include "craze/render/studio.h"
+#include "craze/render/subject.h"
 #include "craze/surface_mesh.h"
 
 namespace craze::render {
@@ -19,11 +21,14 @@ struct PictureOptions {
   int width = 1280, height = 960;  ///< pixels
   int samples = 16;                ///< per pixel, rounded up to a multiple of 16
   View view;
-  /// What the camera frames and sizes are measured by, for pictures that belong together; empty:
-  /// the mesh.
-  std::vector<Vec3> subject;
+  /// What the camera frames, what stands on the floor and what sizes are measured by, for pictures
+  /// that belong together; without points: the mesh's (subject_of).
+  Subject subject;
   LampPlace light;
   Material material = find_material("clay");
+  /// The mesh's own colours, one per material of it, or one for all; empty: the material's. Walls
+  /// and cracks keep the material's, and clear glass has none of its own.
+  std::vector<Look> looks;
   std::optional<Rgb> backdrop;  ///< by default the material's
   bool ground = true;           ///< a floor that catches the shadow
   double line_width = 0;  ///< of a crack line, model units; 0: a fixed part of the mesh's diagonal

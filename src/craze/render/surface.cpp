@@ -7,6 +7,22 @@
 
 namespace craze::render {
 
+namespace {
+
+/// The colour of the body itself, without its cracks.
+Rgb body_color(const TracedModel& model, const Material& material, const Hit& hit) {
+  const std::int32_t index = model.looks.empty()  ? -1
+                             : model.look.empty() ? 0
+                                                  : model.look[hit.face];
+  if (index < 0) return material.color;
+  const Look& look = model.looks[index];
+  if (model.uvs.empty()) return look.color;
+  const Eigen::Vector2f* uv = &model.uvs[static_cast<std::size_t>(3) * hit.face];
+  return look.at((1 - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2]);
+}
+
+}  // namespace
+
 float fresnel(float cosine) {
   // Schlick's approximation for a refractive index of 1.5.
   const float m = 1 - std::clamp(cosine, 0.0f, 1.0f), m2 = m * m;
@@ -48,7 +64,7 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
   }
 
   const bool wall = model.is_wall[hit.face] != 0;
-  s.albedo = wall ? material.wall : material.color;
+  s.albedo = wall ? material.wall : body_color(model, material, hit);
   s.coat = wall ? 0 : material.coat;
   if (!wall) {
     const LineSample line = line_at(model, hit, s.place, footprint);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "craze/render/crack_lines.h"
+#include "craze/render/look.h"
 #include "craze/render/material.h"
 #include "craze/render/ray_scene.h"
 #include "craze/surface_mesh.h"
@@ -19,6 +20,9 @@ struct TracedModel {
   std::vector<Vec3f> normals;         ///< 3 #F
   std::vector<std::uint8_t> is_wall;  ///< #F
   std::vector<std::int32_t> pieces;   ///< #F, the fragment of each face; or empty
+  std::vector<Look> looks;            ///< the model's own colours; empty: the material's
+  std::vector<std::int32_t> look;     ///< #F, index into looks, −1: none; empty: all of looks[0]
+  std::vector<Eigen::Vector2f> uvs;   ///< 3 #F; empty: none, and textures do not count
   const LinePainter* lines = nullptr;
 };
 

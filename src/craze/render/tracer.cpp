@@ -18,17 +18,18 @@ constexpr float floor_radius = 2;
 }  // namespace
 
 Tracer::Tracer(const TracedModel& model, const Material& material, const Camera& camera,
-               const Studio& studio, bool ground, int groups, std::uint64_t seed)
+               const Studio& studio, const std::vector<Vec3>& standing, int groups,
+               std::uint64_t seed)
     : model_(model),
       material_(material),
       camera_(camera),
       studio_(studio),
       scene_(model.positions, model.triangles),
-      has_floor_(ground),
+      has_floor_(!standing.empty()),
       groups_(groups),
       samples_(groups * RayScene::lanes, seed) {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  for (const Vec3& p : model.positions) {
+  for (const Vec3& p : standing) {
     lowest = std::min(lowest, p.dot(camera.vertical));
     highest = std::max(highest, p.dot(camera.vertical));
   }

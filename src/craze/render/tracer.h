@@ -15,9 +15,9 @@ namespace craze::render {
 
 class Tracer {
  public:
-  /// Keeps references to the first four. With `ground`, a floor lies under the lowest vertex.
+  /// Keeps references to the first four. A floor lies under the lowest of `standing`; empty: none.
   Tracer(const TracedModel& model, const Material& material, const Camera& camera,
-         const Studio& studio, bool ground, int groups, std::uint64_t seed);
+         const Studio& studio, const std::vector<Vec3>& standing, int groups, std::uint64_t seed);
 
   /// The pixel (x, y), counted from the top left, from `groups` times sixteen samples.
   Pixel trace(int x, int y, int width, int height) const;

@@ -28,18 +28,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Starts ffmpeg with `input` as its standard input, in a process group of its own, so that a
-/// Ctrl-C ends the run and not the video. Returns 0 or the system's error.
-int start(std::vector<std::string> arguments, int input, int messages, pid_t& process) {
+constexpr int output_number = 3;  // of the output's descriptor in ffmpeg
+
+/// What ffmpeg is started with as its own.
+struct Descriptors {
+  int input, messages, output;
+};
+
+/// Starts ffmpeg in a process group of its own, so that a Ctrl-C ends the run and not the video.
+/// Returns 0 or the system's error.
+int start(std::vector<std::string> arguments, const Descriptors& ours, pid_t& process) {
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&files, ours.input, STDIN_FILENO);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&files, messages, STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&files, ours.messages, STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&files, ours.output, output_number);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
@@ -74,10 +82,10 @@ bool has_ffmpeg() {
 
 Video::Video(const std::string& path, int width, int height, double frames_per_second)
     : path_(path) {
-  const fs::path place(path);
-  const std::string name = fmt::format(".craze-{}-{}", getpid(), place.filename().string());
-  partial_ = fs::absolute(place.parent_path() / name).string();
+  const std::string format = fs::path(path).extension().string().substr(1);
   try {
+    file_ = std::make_unique<FileBeside>(fs::absolute(path));
+    if (file_->descriptor() < 0) fail(std::strerror(errno));
     messages_ = std::tmpfile();
     int ends[2];
     if (!messages_ || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
@@ -89,8 +97,9 @@ Video::Video(const std::string& path, int width, int height, double frames_per_s
                "rgb24", "-video_size", fmt::format("{}x{}", width, height), "-framerate",
                fmt::format("{}", frames_per_second), "-i", "pipe:0",
                // What every player can show: colours at half resolution, hence even sizes.
-               "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", partial_},
-              ends[1], fileno(messages_), process_);
+               "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-f", format,
+               file_->path_by(output_number)},
+              {ends[1], fileno(messages_), file_->descriptor()}, process_);
     close(ends[1]);
     if (error != 0) {
       process_ = -1;
@@ -113,8 +122,7 @@ void Video::release() {
     waitpid(process_, nullptr, 0);
   }
   if (messages_) std::fclose(messages_);
-  std::error_code ignored;
-  if (!partial_.empty()) fs::remove(partial_, ignored);
+  file_.reset();
 }
 
 void Video::add(const Image& image, const Context& context) {
@@ -139,10 +147,7 @@ void Video::finish(const Context& context) {
   input_ = -1;
   while (!has_ended()) wait_a_moment(context);
   if (!succeeded_) fail("ffmpeg failed");
-  std::error_code error;
-  fs::rename(partial_, path_, error);
-  if (error) fail(error.message());
-  partial_.clear();
+  if (const int error = file_->move_to(path_); error != 0) fail(std::strerror(error));
 }
 
 void Video::wait_for_room(const Context& context) {

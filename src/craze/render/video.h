@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdio>
+#include <memory>
 #include <string>
 
 #include "craze/context.h"
+#include "craze/io/files/file_beside.h"
 #include "craze/render/image.h"
 
 namespace craze::render {
@@ -12,13 +14,13 @@ namespace craze::render {
 /// Whether a program named ffmpeg lies in one of the folders of PATH.
 bool has_ffmpeg();
 
-/// Feeds ffmpeg, which chooses the format by the extension of the path. Each call throws
-/// Error(output) with the path and what ffmpeg says. An ffmpeg that stalls is waited for in steps
+/// Feeds ffmpeg; the path's extension is the format, mp4 or webm. Each call throws Error(output)
+/// with the path and what ffmpeg says. An ffmpeg that stalls is waited for in steps
 /// of a tenth of a second, each with a report, until the context cancels.
 class Video {
  public:
   Video(const std::string& path, int width, int height, double frames_per_second);
-  /// Without finish(), leaves nothing behind.
+  /// Without finish(), leaves nothing behind; nor does a kill.
   ~Video();
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;
@@ -36,7 +38,8 @@ class Video {
   void wait_for_room(const Context& context);
   void release();
 
-  std::string path_, partial_;
+  std::string path_;
+  std::unique_ptr<FileBeside> file_;
   int input_ = -1;
   int process_ = -1;  ///< the system's number of it
   bool succeeded_ = false;

@@ -3,6 +3,7 @@ add-on (3.4) and as an extension (4.2 and later), by the published rules of the 
 (developer.blender.org/docs/features/extensions/schema)."""
 
 import ast
+import hashlib
 import json
 import re
 import sys
@@ -51,6 +52,16 @@ class Package(unittest.TestCase):
 
     def test_it_asks_for_no_network(self):
         self.assertEqual(set(self.manifest["permissions"]), {"files"})
+
+    def test_the_index_beside_it_is_of_this_zip(self):
+        index = json.loads(ZIP.with_name("index.json").read_text("utf-8"))
+        self.assertEqual((index["version"], index["blocklist"]), ("v1", []))
+        [entry] = index["data"]
+        content = ZIP.read_bytes()
+        self.assertEqual(entry.pop("archive_size"), len(content))
+        self.assertEqual(entry.pop("archive_hash"), "sha256:" + hashlib.sha256(content).hexdigest())
+        self.assertEqual(entry.pop("archive_url"), f"./{ZIP.name}")
+        self.assertEqual(entry, self.manifest)
 
     def test_platforms_are_those_of_the_engine(self):
         self.assertLessEqual(set(self.manifest["platforms"]), PLATFORMS)

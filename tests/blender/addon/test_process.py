@@ -2,6 +2,7 @@
 
 import os
 import re
+import signal
 import time
 import unittest
 
@@ -84,6 +85,22 @@ class Process(unittest.TestCase):
         self.assertLess(time.monotonic() - begin, 1.0)
         self.assertEqual(going.request.state, "cancelled")
         self.assertNotIn("made", bpy.data.meshes)
+        self.assertEqual(os.listdir(process.engine().folder), [])
+
+    def test_an_engine_that_hangs_is_ended_and_the_next_request_does_not_suffer(self):
+        thing = meshes.link(meshes.grid(40))
+        hung = work(thing, HEAVY)
+        until_it_cracks(self, hung)
+        os.kill(hung.request.process.pid, signal.SIGSTOP)
+        begin = time.monotonic()
+        hung.cancel()
+        following = work(thing, LIGHT)
+        following.advance(0.5)  # it is on its way to the engine that hangs
+        while hung.request.state == "running":
+            time.sleep(0.005)
+        self.assertLess(time.monotonic() - begin, 1.0)
+        following.finish()
+        self.assertEqual(following.state, "done", following.error)
 
     def test_a_killed_engine_is_one_sentence_and_another_takes_over(self):
         thing = meshes.link(meshes.grid(150))

@@ -3,6 +3,7 @@
 
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/gltf/gltf.h"
+#include "craze/io/source_scene.h"
 #include "io/io_test_tools.h"
 
 namespace craze {
@@ -252,19 +253,25 @@ TEST(GltfExtensions, OnlyRequiredOnesThatAreNotKnownAreRefusedByName) {
   }
 }
 
-TEST(GltfWarnings, WhatIsLeftOutIsSaid) {
+TEST(GltfContents, WhatIsThereBesidesTheSurfaceIsListed) {
   Document document = triangle();
   document.primitive()["attributes"]["TANGENT"] =
       document.add<float>({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", 5126, 4);
   Json points = document.primitive();
   points["mode"] = 0;
   document.json["meshes"][0]["primitives"].push_back(points);
-  document.json["cameras"] = Json::array({Json::object()});
+  document.json["cameras"] = Json::parse(R"([{"name": "eye"}])");
   document.json["images"] = Json::parse(R"([{"uri": "clay.png"}])");
   const MeshFile file = document.read();
-  EXPECT_TRUE(says(file, "1 primitives of points or lines"));
-  EXPECT_TRUE(says(file, "TANGENT"));
-  EXPECT_TRUE(says(file, "1 cameras"));
+  std::map<std::string, std::vector<std::string>> contents;
+  ASSERT_NE(file.scene, nullptr);
+  for (const SceneContent& content : file.scene->contents()) {
+    contents[content.kind] = content.names;
+  }
+  EXPECT_EQ(contents["primitives of points or lines"].size(), 1u);
+  EXPECT_EQ(contents["vertex attributes of its own"], (std::vector<std::string>{"TANGENT"}));
+  EXPECT_EQ(contents["cameras"], (std::vector<std::string>{"eye"}));
+  EXPECT_TRUE(says(file, "clay.png")) << "a picture that cannot be brought";
   EXPECT_EQ(file.textures, (std::vector<std::string>{"clay.png"}));
   EXPECT_TRUE(triangle().read().warnings.empty());
 }

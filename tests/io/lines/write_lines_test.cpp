@@ -90,12 +90,57 @@ TEST(Lines, SvgOfAnotherPlaneKeepsLengths) {
   EXPECT_NEAR(std::hypot(x1 - x0, y1 - y0), (set.points[1] - set.points[0]).norm(), 1e-12);
 }
 
+/// A bent line over a seam: its two edges on each side join, and the sides lie apart.
+LineSet over_a_seam() {
+  LineSet set;
+  set.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 5}, {3, 1, 5}, {4, 0, 5}};
+  set.edges = {{0, 1}, {1, 2}, {2, 3}, {3, 4}};
+  set.uvs = {{0, 0}, {0.25, 0}, {0.25, 1e-12}, {0.5, 0}, {0.5, 0.75}, {0.75, 1}, {0.75, 1}, {1, 1}};
+  set.edge_attributes = {{"uv_island", 1, {0, 0, 1, 1}}};
+  return set;
+}
+
 TEST(Lines, SvgIsDrawnInUvSpaceWhereThereIsOne) {
-  LineSet set = lines();
-  set.points[0].z() = 100;  // not flat
+  LineSet set = over_a_seam();
+  const std::string svg = format_lines_svg(set);
+  EXPECT_NE(svg.find("<path id=\"island_0\" d=\"M0 1L0.25 1L0.5 1\"/>"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("<path id=\"island_1\" d=\"M0.5 0.25L0.75 0L1 0\"/>"), std::string::npos);
+  set.uvs.clear();  // nor is it flat
   message_of([&] { format_lines_svg(set); }, ErrorKind::request);
-  set.uvs.assign(2 * set.edges.size(), Vec2(0.25, 0.25));
-  EXPECT_NE(format_lines_svg(set).find("M0.25 0.75L0.25 0.75"), std::string::npos);
+}
+
+TEST(Lines, SvgHasASizeOfItsOwnWithTheShapeOfItsView) {
+  for (const LineSet& set : {over_a_seam(), lines(), LineSet{}}) {
+    const std::string svg = format_lines_svg(set);
+    double width, height, x, y, w, h;
+    ASSERT_EQ(std::sscanf(svg.c_str() + svg.find(" width="),
+                          " width=\"%lf\" height=\"%lf\" viewBox=\"%lf %lf %lf %lf\"", &width,
+                          &height, &x, &y, &w, &h),
+              6)
+        << svg;
+    EXPECT_NEAR(std::max(width, height), 1024, 1e-9);
+    EXPECT_NEAR(width / height, w / h, 1e-9);
+  }
+}
+
+TEST(Lines, SvgLeavesOutWhatHasNoUvsAndSaysSo) {
+  LineSet set = over_a_seam();
+  set.edge_attributes[0].values = {0, 0, -1, -1};
+  std::vector<std::string> said;
+  const auto warn = [&](const std::string& warning) { said.push_back(warning); };
+  const std::string svg = format_lines_svg(set, warn);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_TRUE(said[0].starts_with("2 of 4 pieces of crack are not in the SVG")) << said[0];
+  EXPECT_EQ(svg.find("island_1"), std::string::npos);
+  EXPECT_NE(svg.find("island_0"), std::string::npos);
+}
+
+TEST(Lines, SvgOfPartsWithoutUvsIsDrawnOnTheirPlane) {
+  LineSet set = lines();
+  set.uvs.assign(2 * set.edges.size(), Vec2(0, 0));
+  EXPECT_EQ(format_lines_svg(set), format_lines_svg(lines()));
+  set.points[0].z() = 100;
+  message_of([&] { format_lines_svg(set); }, ErrorKind::request);
 }
 
 TEST(Lines, GoToFilesByExtension) {

@@ -18,6 +18,25 @@ struct Measured {
   std::vector<NullRow> nulls = null_rows({}, 200);
 };
 
+TEST(Statistics, AreStoppedAtAnyMomentAndSayWhatTheyAre) {
+  const CrackGraphInput graph = null_graph(NullModel::poisson_voronoi, 200, 1);
+  int questions = 0, reports = 0;
+  StatisticsOptions options;
+  options.bootstrap.context.cancelled = [&] { return ++questions < 0; };
+  options.bootstrap.context.progress = [&](const Progress& p) {
+    ++reports;
+    EXPECT_EQ(p.phase, "statistics");
+  };
+  compute_with_sensitivity(graph, options);
+  EXPECT_GT(reports, 0);
+  EXPECT_GT(questions, 1000);  // each resample of more than ten
+  for (const int last : {1, questions / 2, questions}) {
+    int asked = 0;
+    options.bootstrap.context.cancelled = [&] { return ++asked >= last; };
+    EXPECT_THROW(compute_with_sensitivity(graph, options), Cancelled);
+  }
+}
+
 TEST(Report, EveryQuantityIsInTheJsonWithItsError) {
   const Measured m;
   const auto json = to_json(m.statistics, m.nulls);

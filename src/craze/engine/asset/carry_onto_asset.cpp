@@ -62,6 +62,7 @@ CrackNetwork network_on(const TriangleMesh& mesh, const CutAsset& cut,
     edge.a = node(mesh.from(h));
     edge.b = node(mesh.to(h));
     edge.face = cut.face_source[h / 3];
+    edge.side = h;
     network.edges.push_back(edge);
   }
   describe_nodes(mesh, network);

@@ -92,9 +92,13 @@ FileBeside::~FileBeside() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
+std::string FileBeside::path_by(int inherited) const {
+  return temporary_.empty() ? fmt::format("/proc/self/fd/{}", inherited) : temporary_.string();
+}
+
 int FileBeside::move_to(const fs::path& path) {
   if (temporary_.empty()) {
-    const std::string self = fmt::format("/proc/self/fd/{}", fd_);
+    const std::string self = path_by(fd_);
     const bool named = take_name([&] {
       return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) == 0;
     });

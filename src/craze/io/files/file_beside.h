@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "craze/context.h"
@@ -19,10 +20,15 @@ class FileBeside {
   explicit FileBeside(const std::filesystem::path& path);
   FileBeside(const FileBeside&) = delete;
   FileBeside& operator=(const FileBeside&) = delete;
+  /// Unless it was moved, nothing is left of it.
   ~FileBeside();
 
-  /// Negative where it could not be made; errno says why.
+  /// Open for writing; negative where it could not be made: errno says why.
   int descriptor() const { return fd_; }
+
+  /// What another process opens to write it, where `inherited` is the number that the descriptor
+  /// has there.
+  std::string path_by(int inherited) const;
 
   /// Puts it in the place of `path`; returns 0 or the system's error code.
   int move_to(const std::filesystem::path& path);

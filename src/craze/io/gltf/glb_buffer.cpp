@@ -1,11 +1,11 @@
-// Format: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.6 and 4.
+// Format: Khronos Group, "glTF 2.0 Specification", 2021, section 3.6.
 #include "craze/io/gltf/glb_buffer.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "craze/error.h"
 #include "craze/io/bytes/byte_order.h"
+#include "craze/io/gltf/glb_file.h"
 
 namespace craze {
 
@@ -92,6 +92,12 @@ std::size_t GlbBuffer::add_sparse_vectors(std::size_t count, std::span<const std
   return accessors_.size() - 1;
 }
 
+std::size_t GlbBuffer::add_bytes(const std::string& bytes) {
+  const std::size_t view = add_view(std::span<const char>(bytes), Target::none);
+  bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');  // whatever comes next is aligned
+  return view;
+}
+
 std::size_t GlbBuffer::add_keys(std::span<const float> keys) {
   const std::size_t accessor = add_floats(keys, 1, Target::none);
   const auto [low, high] = std::minmax_element(keys.begin(), keys.end());
@@ -101,28 +107,10 @@ std::size_t GlbBuffer::add_keys(std::span<const float> keys) {
 }
 
 std::string GlbBuffer::pack(ordered_json root) const {
-  if (bytes_.size() > std::numeric_limits<std::uint32_t>::max() - (1u << 24)) {
-    throw Error(ErrorKind::request, "cannot write mesh", "GLB", "it would take more than 4 GB");
-  }
   root["accessors"] = accessors_;
   root["bufferViews"] = views_;
   root["buffers"] = {{{"byteLength", bytes_.size()}}};
-  std::string json = root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  const std::size_t bin = (bytes_.size() + 3) / 4 * 4;
-  std::string file;
-  file.reserve(28 + json.size() + bin);
-  file += "glTF";
-  append(file, std::uint32_t{2});
-  append(file, static_cast<std::uint32_t>(28 + json.size() + bin));
-  append(file, static_cast<std::uint32_t>(json.size()));
-  file += "JSON";
-  file += json;
-  append(file, static_cast<std::uint32_t>(bin));
-  file.append("BIN\0", 4);
-  file += bytes_;
-  file.resize(28 + json.size() + bin, '\0');
-  return file;
+  return glb_file(root.dump(-1, ' ', false, ordered_json::error_handler_t::replace), bytes_);
 }
 
 }  // namespace craze

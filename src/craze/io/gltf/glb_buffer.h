@@ -26,6 +26,9 @@ class GlbBuffer {
   /// Scalars with bounds, as the keys of an animation must have.
   std::size_t add_keys(std::span<const float> keys);
 
+  /// A view of any bytes, such as a picture's.
+  std::size_t add_bytes(const std::string& bytes);
+
   /// The file: `root` with accessors, views and buffer added, and the bytes. Throws Error(request)
   /// for more than 4 GB.
   std::string pack(nlohmann::ordered_json root) const;

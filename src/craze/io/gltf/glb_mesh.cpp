@@ -6,6 +6,7 @@
 #include <map>
 
 #include "craze/base/progress_meter.h"
+#include "craze/io/gltf/line_lifts.h"
 #include "craze/io/polygons/single_precision.h"
 #include "craze/io/polygons/unify_corners.h"
 
@@ -18,17 +19,6 @@ using nlohmann::ordered_json;
 float to_float(double x) {
   constexpr double most = std::numeric_limits<float>::max();
   return static_cast<float>(std::clamp(x, -most, most));
-}
-
-/// "_CRACK_DISTANCE" for "crack distance".
-std::string attribute_name(const std::string& name) {
-  std::string result = "_";
-  for (const char c : name) {
-    const bool is_lower = c >= 'a' && c <= 'z';
-    const bool is_kept = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    result += is_lower ? static_cast<char>(c - 'a' + 'A') : is_kept ? c : '_';
-  }
-  return result;
 }
 
 class MeshWriter {
@@ -97,7 +87,7 @@ class MeshWriter {
     const bool fits = a.components <= 4;
     const int n = fits ? a.components : 1;
     for (int first = 0; first < a.components; first += n) {
-      std::string name = attribute_name(fits ? a.name : a.name + "_" + std::to_string(first));
+      std::string name = glb_attribute_name(fits ? a.name : a.name + "_" + std::to_string(first));
       while (attributes_.contains(name)) name += '_';
       std::vector<float> numbers;
       for (const std::int32_t v : unified_.sources) {
@@ -163,9 +153,25 @@ class MeshWriter {
 
 }  // namespace
 
+std::string glb_attribute_name(const std::string& name) {
+  std::string result = "_";
+  for (const char c : name) {
+    const bool is_lower = c >= 'a' && c <= 'z';
+    const bool is_kept = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    result += is_lower ? static_cast<char>(c - 'a' + 'A') : is_kept ? c : '_';
+  }
+  return result;
+}
+
 std::size_t GlbMaterials::number(const SurfaceMesh& mesh, std::int32_t face_material) {
   for (const auto& [material, number] : known_) {
     if (material == face_material) return number;
+  }
+  known_.emplace_back(face_material, json_.size());
+  const auto own = static_cast<std::size_t>(face_material);
+  if (face_material >= 0 && own < library_.materials.size() && !library_.materials[own].is_null()) {
+    json_.push_back(library_.materials[own]);
+    return json_.size() - 1;
   }
   const std::string name = face_material < 0 ? "surface" : mesh.material_names[face_material];
   // Colours of vertices are multiplied by the material's.
@@ -176,8 +182,41 @@ std::size_t GlbMaterials::number(const SurfaceMesh& mesh, std::int32_t face_mate
                      {"metallicFactor", 0.0},
                      {"roughnessFactor", 0.8}}},
                    {"doubleSided", true}});
-  known_.emplace_back(face_material, json_.size() - 1);
   return json_.size() - 1;
+}
+
+std::size_t GlbMaterials::add_line() {
+  json_.push_back({{"name", "crack_line"},
+                   {"pbrMetallicRoughness",
+                    {{"baseColorFactor", {0.02, 0.02, 0.02, 1.0}},
+                     {"metallicFactor", 0.0},
+                     {"roughnessFactor", 0.8}}},
+                   {"extensions", {{"KHR_materials_unlit", ordered_json::object()}}}});
+  return json_.size() - 1;
+}
+
+ordered_json glb_lines(const SurfaceMesh& mesh, const Vec3& origin,
+                       const std::vector<std::int32_t>& halfedges, GlbBuffer& buffer,
+                       GlbMaterials& materials) {
+  const std::vector<Vec3> lifts = line_lifts(mesh);
+  std::map<std::int32_t, std::uint32_t> numbers;
+  std::vector<std::array<float, 3>> points;
+  std::vector<std::uint32_t> indices;
+  for (const std::int32_t h : halfedges) {
+    const Triangle& t = mesh.triangles[h / 3];
+    for (const std::int32_t v : {t[h % 3], t[(h + 1) % 3]}) {
+      const auto [found, is_new] =
+          numbers.try_emplace(v, static_cast<std::uint32_t>(points.size()));
+      if (is_new) points.push_back(to_floats(mesh.positions[v] + lifts[v] - origin, "GLB"));
+      indices.push_back(found->second);
+    }
+  }
+  constexpr int lines_mode = 1;
+  ordered_json primitive{{"mode", lines_mode},
+                         {"attributes", {{"POSITION", buffer.add_positions(points)}}},
+                         {"indices", buffer.add_indices(indices)},
+                         {"material", materials.add_line()}};
+  return {{"name", "crack_lines"}, {"primitives", ordered_json::array({std::move(primitive)})}};
 }
 
 ordered_json glb_mesh(const SurfaceMesh& mesh, const Vec3& origin,

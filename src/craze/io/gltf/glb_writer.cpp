@@ -2,12 +2,13 @@
 #include "craze/io/gltf/gltf.h"
 #include "craze/mesh/morph_animation.h"
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "craze/io/gltf/glb_buffer.h"
 #include "craze/io/gltf/glb_mesh.h"
+#include "craze/io/gltf/growth_clip.h"
+#include "craze/io/gltf/scene/scene_writer.h"
+#include "craze/io/polygons/float_grid.h"
 #include "craze/io/polygons/polygon_soup.h"
 #include "craze/mesh/mesh_parts.h"
 
@@ -17,79 +18,17 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Seconds that the clip waits before and after, so that a loop shows both ends.
-constexpr double wait_before = 0.25, wait_after = 1;
-
-/// Numbers on this grid, and differences of two of them, are exact in single precision.
-double float_grid(const SurfaceMesh& mesh) {
-  double most = 0;
-  for (const Vec3& p : mesh.positions) most = std::max(most, p.cwiseAbs().maxCoeff());
-  int exponent = 0;
-  std::frexp(most, &exponent);
-  return std::ldexp(1, exponent - 23);
-}
-
-Vec3 on_grid(const Vec3& p, double grid) {
-  return (p / grid).array().round().matrix() * grid;
-}
-
-/// What to take from every vertex so that single precision keeps the mesh: nothing near the origin,
-/// else the middle of its box. On a grid so coarse that the difference is exact.
-Vec3 far_origin(const SurfaceMesh& mesh) {
-  constexpr double noticed = 1e-6;  // of the mesh's size
-  if (mesh.positions.empty()) return Vec3::Zero();
-  Vec3 low = mesh.positions[0], high = low;
-  for (const Vec3& p : mesh.positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double size = (high - low).norm();
-  if (!(float_grid(mesh) / 2 > noticed * size)) return Vec3::Zero();
-  int exponent = 0;
-  std::frexp(size, &exponent);
-  return on_grid((low + high) / 2, std::ldexp(1, exponent));
-}
-
-/// By area; by vertices where there is none.
-Vec3 centroid(const SurfaceMesh& mesh) {
-  Vec3 by_area = Vec3::Zero(), by_vertex = Vec3::Zero();
-  double total = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    const double area = (b - a).cross(c - a).norm();
-    total += area;
-    by_area += area * (a + b + c) / 3;
-  }
-  for (const Vec3& p : mesh.positions) by_vertex += p / static_cast<double>(mesh.positions.size());
-  return total > 0 ? Vec3(by_area / total) : by_vertex;
-}
-
 ordered_json to_json(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-/// The stages as a part sees them.
-std::vector<MorphStage> stages_of(const MorphAnimation& animation,
-                                  const std::vector<std::int32_t>& vertices) {
-  std::vector<MorphStage> stages;
-  for (const MorphStage& stage : animation.stages) {
-    MorphStage& own = stages.emplace_back();
-    std::size_t i = 0;
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-      while (i < stage.vertices.size() && stage.vertices[i] < vertices[v]) ++i;
-      if (i == stage.vertices.size()) break;
-      if (stage.vertices[i] != vertices[v]) continue;
-      own.vertices.push_back(static_cast<std::int32_t>(v));
-      own.shifts.push_back(stage.shifts[i]);
-    }
-  }
-  return stages;
-}
-
 class GlbWriter {
  public:
-  GlbWriter(const MeshFileOptions& options, const Context& context)
-      : options_(options), context_(context) {}
+  GlbWriter(const SurfaceMesh& mesh, const MeshFileOptions& options, const Context& context)
+      : options_(options),
+        context_(context),
+        library_(material_library(options.scene.get(), mesh)),
+        materials_(library_) {}
 
   std::string write(const SurfaceMesh& mesh) {
     const Vec3 far = far_origin(mesh);
@@ -105,6 +44,7 @@ class GlbWriter {
       for (Vec3& p : near.positions) p -= far;
       add_parts(near);
     }
+    if (!options_.crack_edges.empty()) add_lines(mesh, far);
     ordered_json root;
     root["asset"] = {{"version", "2.0"}, {"generator", "craze"}};
     root["scene"] = 0;
@@ -121,6 +61,9 @@ class GlbWriter {
     }
     root["meshes"] = meshes_;
     root["materials"] = materials_.json();
+    add_pictures(root);
+    const std::vector<std::string> extensions = extensions_of(root);
+    if (!extensions.empty()) root["extensionsUsed"] = extensions;
     if (options_.animation) root["animations"] = ordered_json::array({animation()});
     return buffer_.pack(root);
   }
@@ -147,47 +90,64 @@ class GlbWriter {
     }
   }
 
-  /// Each stage's weight goes from 1 to 0 while the stage lasts.
-  ordered_json animation() {
-    const std::size_t stages = options_.animation->stages.size();
-    std::vector<float> keys, weights;
-    const auto add_key = [&](double seconds, std::size_t stages_done) {
-      keys.push_back(static_cast<float>(seconds));
-      for (std::size_t k = 0; k < stages; ++k) weights.push_back(k < stages_done ? 0.0f : 1.0f);
-    };
-    const double each = options_.animation->seconds / static_cast<double>(stages);
-    add_key(0, 0);
-    for (std::size_t k = 0; k <= stages; ++k) {
-      add_key(wait_before + static_cast<double>(k) * each, k);
+  /// What the input's materials refer to.
+  void add_pictures(ordered_json& root) {
+    for (std::size_t i = 0; i < library_.images.size(); ++i) {
+      if (library_.image_bytes[i].empty()) continue;
+      library_.images[i]["bufferView"] = buffer_.add_bytes(library_.image_bytes[i]);
     }
-    add_key(wait_before + options_.animation->seconds + wait_after, stages);
+    if (!library_.textures.empty()) root["textures"] = library_.textures;
+    if (!library_.samplers.empty()) root["samplers"] = library_.samplers;
+    if (!library_.images.empty()) root["images"] = library_.images;
+  }
+
+  /// A node of its own; below that of the parts where there is one, as their origin is.
+  void add_lines(const SurfaceMesh& mesh, const Vec3& far) {
+    ordered_json node{{"name", "crack_lines"}, {"mesh", meshes_.size()}};
+    if (options_.objects.empty() && !far.isZero(0)) node["translation"] = to_json(far);
+    nodes_.push_back(std::move(node));
+    meshes_.push_back(glb_lines(mesh, far, options_.crack_edges, buffer_, materials_));
+  }
+
+  ordered_json animation() {
+    const GrowthClipKeys clip = growth_clip_keys(*options_.animation);
     ordered_json json{{"name", "growth"}, {"channels", ordered_json::array()}};
     for (std::size_t node = 0; node < nodes_.size(); ++node) {
       json["channels"].push_back(
           {{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}});
     }
-    const std::size_t input = buffer_.add_keys(keys);
+    const std::size_t input = buffer_.add_keys(clip.seconds);
     json["samplers"] = {{{"input", input},
                          {"interpolation", "LINEAR"},
-                         {"output", buffer_.add_floats(weights, 1, GlbBuffer::Target::none)}}};
+                         {"output", buffer_.add_floats(clip.weights, 1, GlbBuffer::Target::none)}}};
     return json;
   }
 
   const MeshFileOptions& options_;
   const Context& context_;
   GlbBuffer buffer_;
+  MaterialLibrary library_;
   GlbMaterials materials_;
   ordered_json nodes_ = ordered_json::array(), meshes_ = ordered_json::array();
 };
 
 }  // namespace
 
+bool keeps_scene(const MeshFileOptions& options) {
+  const bool is_gltf = dynamic_cast<const GltfDocument*>(options.scene.get()) != nullptr;
+  return is_gltf && options.origin && options.objects.empty();
+}
+
 std::string format_glb(const SurfaceMesh& mesh, const MeshFileOptions& options,
                        const Context& context) {
-  if (mesh.corner_normals.empty()) return GlbWriter(options, context).write(mesh);
+  if (keeps_scene(options)) {
+    const auto& document = dynamic_cast<const GltfDocument&>(*options.scene);
+    return format_scene(mesh, document, options, context);
+  }
+  if (mesh.corner_normals.empty()) return GlbWriter(mesh, options, context).write(mesh);
   SurfaceMesh unit = mesh;
   normalize_corner_normals(unit);
-  return GlbWriter(options, context).write(unit);
+  return GlbWriter(mesh, options, context).write(unit);
 }
 
 }  // namespace craze

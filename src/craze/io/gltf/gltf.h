@@ -26,6 +26,10 @@ SurfaceMesh read_gltf(const MeshSource& source);
 bool is_glb(std::string_view bytes);
 bool is_gltf(std::string_view bytes);
 
+/// Whether format_glb() writes the input's scene again, with all that it had: it is of a glTF file,
+/// the mesh is cut out of its own triangles, and nothing divides it otherwise.
+bool keeps_scene(const MeshFileOptions& options);
+
 /// The mesh as GLB: single precision, axes as they are, one primitive per material (a plain matt
 /// one where the mesh names none, dark for "crack_wall"), vertices copied at seams. UVs are
 /// flipped, since glTF counts v downwards. Vertex attributes become `_NAME`, one float accessor

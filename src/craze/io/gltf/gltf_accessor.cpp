@@ -4,31 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstring>
 
 #include "craze/io/bytes/base64.h"
-#include "craze/io/bytes/byte_order.h"
 #include "craze/io/bytes/input_error.h"
 
 namespace craze {
 
 namespace {
-
-std::size_t component_size(std::size_t type) {
-  switch (type) {
-    case 5120:  // BYTE
-    case 5121:  // UNSIGNED_BYTE
-      return 1;
-    case 5122:  // SHORT
-    case 5123:  // UNSIGNED_SHORT
-      return 2;
-    case 5125:  // UNSIGNED_INT
-    case 5126:  // FLOAT
-      return 4;
-    default:
-      return 0;
-  }
-}
 
 bool is_unsigned(std::size_t type) {
   return type == 5121 || type == 5123 || type == 5125;
@@ -41,29 +24,6 @@ std::size_t component_count(const std::string& type) {
   if (type == "VEC4") return 4;
   if (type == "MAT4") return 16;  // whose columns need no padding, whatever the components
   return 0;
-}
-
-template <class Int>
-double load_integer(const char* p, bool normalized) {
-  const auto value = static_cast<double>(load<Int>(p));
-  return normalized ? std::max(-1.0, value / std::numeric_limits<Int>::max()) : value;
-}
-
-double load_component(const char* p, std::size_t type, bool normalized) {
-  switch (type) {
-    case 5120:
-      return load_integer<std::int8_t>(p, normalized);
-    case 5121:
-      return load_integer<std::uint8_t>(p, normalized);
-    case 5122:
-      return load_integer<std::int16_t>(p, normalized);
-    case 5123:
-      return load_integer<std::uint16_t>(p, normalized);
-    case 5125:
-      return load_integer<std::uint32_t>(p, normalized);
-    default:
-      return load<float>(p);
-  }
 }
 
 }  // namespace
@@ -175,20 +135,8 @@ GltfAccessors::Layout GltfAccessors::layout(std::size_t accessor) {
   return layout;
 }
 
-void GltfAccessors::decode(const Layout& in, std::size_t accessor, double* out) const {
-  const std::size_t size = component_size(in.component_type);
-  for (std::size_t i = 0; i < in.count; ++i) {
-    for (std::size_t k = 0; k < in.components; ++k, ++out) {
-      *out = load_component(in.first + i * in.stride + k * size, in.component_type, in.normalized);
-      if (!std::isfinite(*out)) {
-        json_.fail(fmt::format("accessor {} element {} is not a finite number", accessor, i));
-      }
-    }
-  }
-}
-
 void GltfAccessors::substitute(const Json& sparse, const Layout& base, std::size_t accessor,
-                               double* out) {
+                               char* out) {
   const std::string name = fmt::format("the sparse part of accessor {}", accessor);
   const auto part = [&](const char* key) -> const Json& {
     const auto found = sparse.is_object() ? sparse.find(key) : sparse.end();
@@ -212,27 +160,50 @@ void GltfAccessors::substitute(const Json& sparse, const Layout& base, std::size
   values.count = indices.count;
   place_part(indices, part("indices"));
   place_part(values, part("values"));
-  std::vector<double> elements(values.count * values.components);
-  decode(values, accessor, elements.data());
+  const std::size_t size = component_size(base.component_type) * base.components;
   for (std::size_t i = 0; i < indices.count; ++i) {
     const double index =
         load_component(indices.first + i * indices.stride, indices.component_type, false);
     if (index >= static_cast<double>(base.count)) {
       json_.fail(fmt::format("{} asks for element {} of {}", name, index, base.count));
     }
-    const auto element = elements.begin() + static_cast<std::ptrdiff_t>(i * base.components);
-    std::copy(element, element + static_cast<std::ptrdiff_t>(base.components),
-              out + static_cast<std::size_t>(index) * base.components);
+    std::memcpy(out + static_cast<std::size_t>(index) * size, values.first + i * values.stride,
+                size);
   }
 }
 
-GltfAccessors::Values GltfAccessors::read(std::size_t accessor) {
+GltfElements GltfAccessors::elements(std::size_t accessor) {
   const Layout in = layout(accessor);
-  Values out{in.count, in.components, std::vector<double>(in.count * in.components)};
-  if (in.first) decode(in, accessor, out.values.data());
+  GltfElements out;
+  out.count = in.count;
+  out.components = in.components;
+  out.component_type = in.component_type;
+  out.normalized = in.normalized;
+  const std::size_t size = out.size();
+  out.bytes.resize(in.count * size);
+  for (std::size_t i = 0; in.first && i < in.count; ++i) {
+    std::memcpy(out.bytes.data() + i * size, in.first + i * in.stride, size);
+  }
   const Json& json = root_["accessors"][accessor];
   if (const auto sparse = json.find("sparse"); sparse != json.end()) {
-    substitute(*sparse, in, accessor, out.values.data());
+    substitute(*sparse, in, accessor, out.bytes.data());
+  }
+  return out;
+}
+
+GltfAccessors::Values GltfAccessors::read(std::size_t accessor) {
+  const GltfElements in = elements(accessor);
+  Values out{in.count, in.components, {}};
+  out.values.reserve(in.count * in.components);
+  const std::size_t step = component_size(in.component_type);
+  for (std::size_t i = 0; i < in.count * in.components; ++i) {
+    const double number =
+        load_component(in.bytes.data() + i * step, in.component_type, in.normalized);
+    if (!std::isfinite(number)) {
+      json_.fail(fmt::format("accessor {} element {} is not a finite number", accessor,
+                             i / in.components));
+    }
+    out.values.push_back(number);
   }
   return out;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "craze/io/gltf/gltf_elements.h"
 #include "craze/io/gltf/gltf_json.h"
 #include "craze/io/mesh_source.h"
 
@@ -28,12 +29,19 @@ class GltfAccessors {
     std::vector<double> values;  ///< count × components, finite; integers scaled if "normalized"
   };
   Values read(std::size_t accessor);
+  /// The same as the file's own bytes, packed, with what a sparse accessor gives instead in place.
+  GltfElements elements(std::size_t accessor);
   /// A scalar accessor of unsigned integers.
   std::vector<std::uint32_t> read_indices(std::size_t accessor);
   /// Elements of the accessor, as it says, without decoding or checking it.
   std::size_t count(std::size_t accessor) const;
   /// Whether it has data, or zeros stand for them.
   bool has_data(std::size_t accessor) const;
+  /// The bytes of a buffer view, checked to lie in its buffer.
+  std::string_view view(std::size_t buffer_view);
+  /// A buffer's bytes, and those that a URI stands for. Valid as long as this.
+  std::string_view buffer(std::size_t index);
+  std::string_view source(const std::string& uri);
   /// Bytes the loader has brought so far.
   std::size_t loaded_bytes() const { return loaded_bytes_; }
 
@@ -48,12 +56,8 @@ class GltfAccessors {
   /// Finds the bytes of `layout` in a view; `what` for messages.
   void place(Layout& layout, std::size_t buffer_view, std::size_t offset, std::size_t stride,
              const std::string& what);
-  void decode(const Layout& in, std::size_t accessor, double* out) const;
   /// Puts the elements that a sparse accessor gives instead into `out`.
-  void substitute(const Json& sparse, const Layout& base, std::size_t accessor, double* out);
-  std::string_view view(std::size_t buffer_view);
-  std::string_view buffer(std::size_t index);
-  std::string_view source(const std::string& uri);
+  void substitute(const Json& sparse, const Layout& base, std::size_t accessor, char* out);
 
   GltfJson json_;
   const Json& root_;

@@ -31,14 +31,6 @@ void GltfBuilder::spend(std::size_t elements) {
   }
 }
 
-/// The node's weights win over the mesh's.
-std::vector<double> GltfBuilder::morph_weights(const Json& mesh, const Json* node) const {
-  const Json* holder = node && node->contains("weights") ? node : &mesh;
-  std::vector<double> weights(json_.array(*holder, "weights").size());
-  json_.numbers(*holder, "weights", weights.data(), weights.size());
-  return weights;
-}
-
 const std::vector<Eigen::Matrix4d>& GltfBuilder::joints_of(std::size_t skin) {
   const auto found = joints_.find(skin);
   if (found != joints_.end()) return found->second;
@@ -48,18 +40,21 @@ const std::vector<Eigen::Matrix4d>& GltfBuilder::joints_of(std::size_t skin) {
 
 void GltfBuilder::add(const GltfInstance& instance) {
   const Json& mesh = json_.item(root_, "meshes", instance.mesh);
-  const std::vector<double> weights = morph_weights(mesh, instance.node);
+  const std::vector<double> weights = morph_weights(mesh, instance.node, json_);
   object_ = object_of(instance);
   std::map<std::string, Placed> placed;
-  for (const Json& primitive : json_.array(mesh, "primitives")) {
+  const Json& primitives = json_.array(mesh, "primitives");
+  for (std::size_t p = 0; p < primitives.size(); ++p) {
     spend(primitive_cost);
-    if (!primitive.is_object()) json_.fail("a primitive is not an object");
-    add_primitive(primitive, instance, weights, placed);
+    if (!primitives[p].is_object()) json_.fail("a primitive is not an object");
+    const std::size_t first = mesh_.triangles.size();
+    const Placed* used = add_primitive(primitives[p], instance, weights, placed);
+    if (mesh_.triangles.size() > first) add_part(first, *used, p, instance);
   }
 }
 
 std::int32_t GltfBuilder::object_of(const GltfInstance& instance) {
-  const std::size_t key = instance.node ? instance.node_index : instance.mesh;
+  const std::size_t key = instance.node_index;
   const auto [found, is_new] =
       objects_.try_emplace(key, static_cast<std::int32_t>(mesh_.object_names.size()));
   if (is_new) {
@@ -71,17 +66,33 @@ std::int32_t GltfBuilder::object_of(const GltfInstance& instance) {
   return found->second;
 }
 
-void GltfBuilder::add_primitive(const Json& json, const GltfInstance& instance,
-                                const std::vector<double>& weights,
-                                std::map<std::string, Placed>& placed) {
+void GltfBuilder::add_part(std::size_t first_face, const Placed& placed, std::size_t primitive,
+                           const GltfInstance& instance) {
+  GltfPart part;
+  part.first_face = static_cast<std::int32_t>(first_face);
+  part.end_face = static_cast<std::int32_t>(mesh_.triangles.size());
+  part.first_vertex = static_cast<std::int32_t>(placed.first);
+  part.node = instance.node_index;
+  part.mesh = instance.mesh;
+  part.primitive = primitive;
+  part.copy = instance.copy;
+  if (placed.by_joints) part.skin = instance.skin;
+  part.transform = instance.transform;
+  part.mirrored = placed.mirrored;
+  parts_.push_back(part);
+}
+
+const GltfBuilder::Placed* GltfBuilder::add_primitive(const Json& json,
+                                                      const GltfInstance& instance,
+                                                      const std::vector<double>& weights,
+                                                      std::map<std::string, Placed>& placed) {
   const std::size_t mode = json_.index_or(json, "mode", triangles_mode);
   if (mode < triangles_mode || mode > fan_mode) {
-    ++skipped_primitives_;
-    return;
+    return nullptr;
   }
   GltfPrimitive primitive(
       json, weights, accessors_, [this](std::size_t numbers) { spend(numbers); }, source_.name);
-  if (!primitive.has("POSITION")) return;
+  if (!primitive.has("POSITION")) return nullptr;
   spend(primitive.attributes().size());
 
   // Primitives that share all attributes share vertices.
@@ -109,6 +120,7 @@ void GltfBuilder::add_primitive(const Json& json, const GltfInstance& instance,
     material = static_cast<std::int32_t>(*m);
   }
   add_triangles(indices, mode, known->second.first, known->second.mirrored, material);
+  return &known->second;
 }
 
 void GltfBuilder::add_triangles(const std::vector<std::uint32_t>& indices, std::size_t mode,
@@ -136,7 +148,7 @@ void GltfBuilder::add_triangles(const std::vector<std::uint32_t>& indices, std::
 
 GltfBuilder::Placed GltfBuilder::add_vertices(GltfPrimitive& primitive,
                                               const GltfInstance& instance) {
-  Placed placed{mesh_.positions.size(), false};
+  Placed placed{mesh_.positions.size(), false, false};
   const std::size_t count = primitive.vertex_count();
   const Values positions = primitive.read("POSITION", 3, 3);
   Placement placement{instance.transform, std::nullopt};
@@ -161,6 +173,7 @@ GltfBuilder::Placed GltfBuilder::add_vertices(GltfPrimitive& primitive,
     }
     if (!mesh_.positions.back().allFinite()) json_.fail("a transformed vertex is not finite");
   }
+  placed.by_joints = placement.joints.has_value();
   placed.mirrored = placement.joints ? 2 * turned_over > count : is_mirror(placement.whole);
   for (const auto& [key, accessor] : primitive.attributes().items()) {
     if (key == "NORMAL") {
@@ -240,9 +253,6 @@ void GltfBuilder::add_attribute(const std::string& key, const Values& values, st
 }
 
 SurfaceMesh GltfBuilder::finish() {
-  if (skipped_primitives_ > 0) {
-    source_.warn(fmt::format("{} primitives of points or lines are not kept", skipped_primitives_));
-  }
   check_size(mesh_, source_.name);
   for (const Json& material : json_.array(root_, "materials")) {
     const std::string text = material.is_object() ? json_.text(material, "name") : std::string();

@@ -10,6 +10,7 @@
 #include "craze/io/gltf/gltf_primitive.h"
 #include "craze/io/gltf/gltf_scene.h"
 #include "craze/io/gltf/gltf_skin.h"
+#include "craze/io/gltf/scene/gltf_document.h"
 #include "craze/io/mesh_source.h"
 #include "craze/surface_mesh.h"
 
@@ -34,6 +35,8 @@ class GltfBuilder {
 
   void add(const GltfInstance& instance);
   SurfaceMesh finish();
+  /// Where the mesh's triangles come from, in their order.
+  std::vector<GltfPart> take_parts() { return std::move(parts_); }
 
  private:
   using Values = GltfAccessors::Values;
@@ -42,6 +45,7 @@ class GltfBuilder {
   struct Placed {
     std::size_t first = 0;
     bool mirrored = false;  ///< turned inside out by what places them
+    bool by_joints = false;
   };
   /// What places the vertices of a primitive: one matrix, or their joints.
   struct Placement {
@@ -51,15 +55,18 @@ class GltfBuilder {
 
   /// The node, by number; the mesh where the file has no nodes.
   std::int32_t object_of(const GltfInstance& instance);
-  void add_primitive(const Json& primitive, const GltfInstance& instance,
-                     const std::vector<double>& weights, std::map<std::string, Placed>& placed);
+  /// Null where it has no triangles to give.
+  const Placed* add_primitive(const Json& primitive, const GltfInstance& instance,
+                              const std::vector<double>& weights,
+                              std::map<std::string, Placed>& placed);
+  void add_part(std::size_t first_face, const Placed& placed, std::size_t primitive,
+                const GltfInstance& instance);
   Placed add_vertices(GltfPrimitive& primitive, const GltfInstance& instance);
   void add_normals(const Values& normals, const Placement& placement, std::size_t base);
   void add_colors(const Values& colors, std::size_t base);
   void add_attribute(const std::string& key, const Values& values, std::size_t base);
   void add_triangles(const std::vector<std::uint32_t>& indices, std::size_t mode, std::size_t base,
                      bool mirrored, std::int32_t material);
-  std::vector<double> morph_weights(const Json& mesh, const Json* node) const;
   const std::vector<Eigen::Matrix4d>& joints_of(std::size_t skin);
   void extend(Attribute& attribute, std::size_t vertices);
   void spend(std::size_t elements);
@@ -70,10 +77,10 @@ class GltfBuilder {
   GltfJson json_;
   const MeshSource& source_;
   std::size_t budget_, spent_ = 0;
-  std::size_t skipped_primitives_ = 0;                          ///< of points and lines
   std::map<std::size_t, std::vector<Eigen::Matrix4d>> joints_;  ///< by skin
   std::map<std::size_t, std::int32_t> objects_;                 ///< by node, or mesh without
   std::int32_t object_ = -1;                                    ///< of the instance at hand
+  std::vector<GltfPart> parts_;
   SurfaceMesh mesh_;
   std::vector<Vec2> uvs_;      ///< per vertex, as far as given
   std::vector<Vec3> normals_;  ///< per vertex, as far as given; zero: none

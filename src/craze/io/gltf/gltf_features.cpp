@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "craze/io/bytes/input_error.h"
 
@@ -25,31 +24,6 @@ bool is_known(const std::string& extension) {
              std::end(known_extensions);
 }
 
-/// Attributes that vertices keep; others are told of by name.
-bool is_kept(const std::string& attribute) {
-  return attribute == "POSITION" || attribute == "NORMAL" || attribute == "TEXCOORD_0" ||
-         attribute == "COLOR_0" || attribute.starts_with('_') || attribute.starts_with("JOINTS_") ||
-         attribute.starts_with("WEIGHTS_");
-}
-
-/// The kinds of attributes that no mesh keeps, a few of them.
-std::set<std::string> lost_attributes(const Json& root, const GltfJson& json) {
-  constexpr std::size_t most_named = 8;
-  std::set<std::string> lost;
-  for (const Json& mesh : json.array(root, "meshes")) {
-    if (!mesh.is_object()) continue;
-    for (const Json& primitive : json.array(mesh, "primitives")) {
-      const auto attributes =
-          primitive.is_object() ? primitive.find("attributes") : primitive.end();
-      if (attributes == primitive.end() || !attributes->is_object()) continue;
-      for (const auto& [key, value] : attributes->items()) {
-        if (!is_kept(key) && lost.size() < most_named) lost.insert(printable(key));
-      }
-    }
-  }
-  return lost;
-}
-
 }  // namespace
 
 void check_required_extensions(const Json& root, const std::string& name) {
@@ -69,21 +43,8 @@ void check_required_extensions(const Json& root, const std::string& name) {
   }
 }
 
-void warn_of_what_is_left_out(const Json& root, const MeshSource& source) {
+void list_pictures(const Json& root, const MeshSource& source) {
   const GltfJson json(source.name);
-  std::string list;
-  const auto add = [&](const std::string& what) { list += (list.empty() ? "" : ", ") + what; };
-  const std::pair<const char*, const char*> kinds[] = {{"textures", "textures"},
-                                                       {"animations", "animations"},
-                                                       {"skins", "skins (applied as they stand)"},
-                                                       {"cameras", "cameras"}};
-  for (const auto& [key, what] : kinds) {
-    if (const std::size_t n = json.array(root, key).size(); n > 0)
-      add(fmt::format("{} {}", n, what));
-  }
-  if (!json.array(root, "materials").empty()) add("materials but for their names");
-  for (const std::string& attribute : lost_attributes(root, json)) add(attribute);
-  if (!list.empty()) source.warn("a mesh alone is read, not kept: " + list);
   for (const Json& image : json.array(root, "images")) {
     if (!image.is_object()) continue;
     const std::string uri = json.text(image, "uri");

@@ -1,4 +1,4 @@
-// What a glTF file asks of its reader, and what is read and not kept.
+// What a glTF file asks of its reader, and which other files it names.
 #pragma once
 
 #include "craze/io/gltf/gltf_json.h"
@@ -10,7 +10,7 @@ namespace craze {
 /// its meshes are in a way that is not known here.
 void check_required_extensions(const Json& root, const std::string& name);
 
-/// One sentence on what the file holds and a mesh does not, where there is such a thing.
-void warn_of_what_is_left_out(const Json& root, const MeshSource& source);
+/// Tells the source the pictures outside the file.
+void list_pictures(const Json& root, const MeshSource& source);
 
 }  // namespace craze

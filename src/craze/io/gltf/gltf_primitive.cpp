@@ -9,6 +9,13 @@
 
 namespace craze {
 
+std::vector<double> morph_weights(const Json& mesh, const Json* node, const GltfJson& json) {
+  const Json& holder = node && node->contains("weights") ? *node : mesh;
+  std::vector<double> weights(json.array(holder, "weights").size());
+  json.numbers(holder, "weights", weights.data(), weights.size());
+  return weights;
+}
+
 GltfPrimitive::GltfPrimitive(const Json& primitive, const std::vector<double>& weights,
                              GltfAccessors& accessors, std::function<void(std::size_t)> spend,
                              const std::string& name)

@@ -10,6 +10,9 @@
 
 namespace craze {
 
+/// The weights of a mesh's targets: the node's, which may be null, win over the mesh's.
+std::vector<double> morph_weights(const Json& mesh, const Json* node, const GltfJson& json);
+
 /// Attributes by name, with the default weights of the targets applied.
 class GltfPrimitive {
  public:

@@ -7,6 +7,7 @@
 #include "craze/io/gltf/gltf.h"
 #include "craze/io/gltf/gltf_builder.h"
 #include "craze/io/gltf/gltf_features.h"
+#include "craze/io/gltf/gltf_looks.h"
 
 namespace craze {
 
@@ -70,7 +71,7 @@ SurfaceMesh read_gltf(const MeshSource& source) {
   const Json root = parse_json(chunks.json, name);
   check_version(root, GltfJson(name));
   check_required_extensions(root, name);
-  warn_of_what_is_left_out(root, source);
+  list_pictures(root, source);
   const std::size_t budget = free_elements + 2 * source.bytes.size();
   GltfNodes nodes(root, name);
   GltfAccessors accessors(root, chunks.bin, source.files, budget, name);
@@ -83,7 +84,9 @@ SurfaceMesh read_gltf(const MeshSource& source) {
     builder.add(instances[i]);
   }
   SurfaceMesh mesh = builder.finish();
+  if (source.looks) *source.looks = gltf_looks(root, accessors, source);
   mesh.metres_per_unit = 1;  // section 3.4: all linear distances are in metres
+  source.scene = keep_document(root, accessors, builder.take_parts(), mesh, source);
   return mesh;
 }
 

@@ -84,7 +84,7 @@ std::vector<GltfInstance> scene_instances(const Json& root, GltfNodes& nodes,
   std::vector<GltfInstance> instances;
   if (!root.contains("nodes")) {
     for (std::size_t m = 0; m < json.array(root, "meshes").size(); ++m) {
-      instances.push_back({m, Mat4::Identity(), std::nullopt, nullptr, 0});
+      instances.push_back({m, Mat4::Identity(), {}, nullptr, m, {}});
     }
     return instances;
   }
@@ -92,12 +92,12 @@ std::vector<GltfInstance> scene_instances(const Json& root, GltfNodes& nodes,
   const auto add = [&](std::size_t at, const Json& node, const Mat4& world, std::size_t mesh) {
     const auto skin = json.index(node, "skin");
     const GpuInstances copies(node, accessors, most - instances.size(), json);
-    if (!copies.is_instanced()) instances.push_back({mesh, world, skin, &node, at});
+    if (!copies.is_instanced()) instances.push_back({mesh, world, skin, &node, at, {}});
     for (std::size_t i = 0; i < copies.count(); ++i) {
       const Mat4 placed = world * copies.transform(i);
       if (!placed.allFinite())
         json.fail(fmt::format("the transform of instance {} is not finite", i));
-      instances.push_back({mesh, placed, skin, &node, at});
+      instances.push_back({mesh, placed, skin, &node, at, i});
     }
     if (instances.size() >= most) {
       json.fail("it has more instances than its size allows; join them before");

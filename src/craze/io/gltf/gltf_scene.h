@@ -17,7 +17,8 @@ struct GltfInstance {
   Eigen::Matrix4d transform;        ///< to the scene's axes, finite; not for a mesh with a skin
   std::optional<std::size_t> skin;  ///< which places the mesh instead
   const Json* node = nullptr;       ///< that shows it; null where the file has no nodes
-  std::size_t node_index = 0;       ///< of that node
+  std::size_t node_index = 0;       ///< of that node; of the mesh where there is none
+  std::optional<std::size_t> copy;  ///< of the many that the node shows
 };
 
 /// The meshes of the default scene, of the first one where none is said to be, of all root nodes

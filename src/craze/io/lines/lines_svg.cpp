@@ -4,8 +4,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <utility>
 
 #include "craze/error.h"
+#include "craze/io/lines/uv_lines.h"
 #include "craze/io/lines/write_lines.h"
 
 namespace craze {
@@ -66,44 +69,68 @@ std::vector<Vec2> project(const std::vector<Vec3>& points) {
   return flat;
 }
 
-/// A path element's data: one subpath per chain, y downwards.
-template <class Point>
-void append_chain(std::string& path, std::size_t count, const Box& box, Point point) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 p = point(i);
-    fmt::format_to(std::back_inserter(path), FMT_COMPILE("{}{} {}"), i == 0 ? "M" : "L", p.x(),
-                   box.low.y() + box.high.y() - p.y());
+/// Subpaths of one island, or of all lines.
+using Path = std::pair<std::int32_t, std::string>;
+
+/// A subpath per chain, y downwards, gathered by the island of its first point; in their order.
+std::vector<Path> paths(const LineSet& lines, const std::vector<Vec2>& flat,
+                        const std::vector<std::int32_t>& island, const Box& box) {
+  std::map<std::int32_t, std::string> by_island;
+  for (const auto& chain : join_edges(lines)) {
+    std::string& path = by_island[island.empty() ? 0 : island[chain[0]]];
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const Vec2& p = flat[chain[i]];
+      fmt::format_to(std::back_inserter(path), FMT_COMPILE("{}{} {}"), i == 0 ? "M" : "L", p.x(),
+                     box.low.y() + box.high.y() - p.y());
+    }
   }
+  return {by_island.begin(), by_island.end()};
+}
+
+std::string drawing(const std::vector<Path>& paths, const Box& box, bool in_texture) {
+  constexpr double longest_side = 1024;  // pixels
+  Vec2 size = box.high - box.low;
+  if (!(size.maxCoeff() > 0)) size = Vec2(1, 1);
+  const double stroke = size.maxCoeff() / 500;
+  size += Vec2(2 * stroke, 2 * stroke);
+  const Vec2 pixels = longest_side / size.maxCoeff() * size;
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} "
+      "{}\">\n<g fill=\"none\" stroke=\"black\" stroke-width=\"{}\" stroke-linecap=\"round\" "
+      "stroke-linejoin=\"round\">\n",
+      pixels.x(), pixels.y(), box.low.x() - stroke, box.low.y() - stroke, size.x(), size.y(),
+      stroke);
+  for (const auto& [island, path] : paths) {
+    const std::string id = in_texture ? fmt::format(" id=\"island_{}\"", island) : "";
+    svg += fmt::format("<path{} d=\"{}\"/>\n", id, path);
+  }
+  return svg + "</g>\n</svg>\n";
+}
+
+std::string plane_drawing(const LineSet& lines) {
+  const std::vector<Vec2> flat = project(lines.points);
+  const Box box = bounds(flat);
+  return drawing(paths(lines, flat, {}, box), box, false);
 }
 
 }  // namespace
 
-std::string format_lines_svg(const LineSet& lines) {
-  const bool has_uvs = !lines.uvs.empty();
-  const std::vector<Vec2> flat = has_uvs ? lines.uvs : project(lines.points);
-  Box box = bounds(flat);
-  if (has_uvs) {  // the whole texture, and what lies outside it
-    box.low = box.low.cwiseMin(Vec2(0, 0));
-    box.high = box.high.cwiseMax(Vec2(1, 1));
+std::string format_lines_svg(const LineSet& lines, const LinesWarning& warn) {
+  if (lines.uvs.empty()) return plane_drawing(lines);
+  const UvLines drawn = uv_lines(lines);
+  if (drawn.lines.edges.empty() && drawn.left_out > 0) return plane_drawing(lines);
+  if (drawn.left_out > 0 && warn) {
+    warn(
+        fmt::format("{} of {} pieces of crack are not in the SVG: the parts they lie on have no "
+                    "UVs; .ply, .obj and .json hold them",
+                    drawn.left_out, lines.edges.size()));
   }
-  std::string path;
-  if (has_uvs) {
-    for (std::size_t e = 0; e < lines.edges.size(); ++e) {
-      append_chain(path, 2, box, [&](std::size_t i) { return flat[2 * e + i]; });
-    }
-  } else {
-    for (const auto& chain : join_edges(lines)) {
-      append_chain(path, chain.size(), box, [&](std::size_t i) { return flat[chain[i]]; });
-    }
-  }
-  const Vec2 size = box.high - box.low;
-  const double stroke = std::max(size.maxCoeff(), 1e-300) / 500;
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n"
-      "<path fill=\"none\" stroke=\"black\" stroke-width=\"{}\" stroke-linecap=\"round\" "
-      "stroke-linejoin=\"round\" d=\"{}\"/>\n</svg>\n",
-      box.low.x() - stroke, box.low.y() - stroke, size.x() + 2 * stroke, size.y() + 2 * stroke,
-      stroke, path);
+  std::vector<Vec2> flat;
+  for (const Vec3& p : drawn.lines.points) flat.emplace_back(p.x(), p.y());
+  Box box = bounds(flat);  // the whole texture, and what lies outside it
+  box.low = box.low.cwiseMin(Vec2(0, 0));
+  box.high = box.high.cwiseMax(Vec2(1, 1));
+  return drawing(paths(drawn.lines, flat, drawn.island, box), box, true);
 }
 
 }  // namespace craze

@@ -216,7 +216,8 @@ std::optional<LineSet> read_lines(std::string_view bytes, const std::string& nam
   }
   const FileLoader no_files;
   std::vector<std::string> warnings, textures;
-  LineSet lines = read({bytes, name, no_files, context, warnings, textures});
+  std::shared_ptr<const SourceScene> scene;
+  LineSet lines = read({bytes, name, no_files, context, warnings, textures, scene});
   if (lines.edges.empty()) return std::nullopt;
   check(lines, name);
   return lines;

@@ -33,16 +33,22 @@ ordered_json to_json(const std::vector<Attribute>& attributes) {
   return object;
 }
 
-using Formatter = std::string (*)(const LineSet&);
+using Formatter = std::string (*)(const LineSet&, const LinesWarning&);
+
+/// Of formats that hold everything, or nothing besides the lines.
+template <std::string (*format)(const LineSet&)>
+std::string whole(const LineSet& lines, const LinesWarning&) {
+  return format(lines);
+}
 
 constexpr const char* what = "cannot write lines";
 
 /// `where`: the file or the format, for messages.
 Formatter formatter_of(std::string_view format, const std::string& where) {
-  if (format == "ply") return format_lines_ply;
-  if (format == "obj") return format_lines_obj;
+  if (format == "ply") return whole<format_lines_ply>;
+  if (format == "obj") return whole<format_lines_obj>;
   if (format == "svg") return format_lines_svg;
-  if (format == "json") return format_lines_json;
+  if (format == "json") return whole<format_lines_json>;
   throw Error(ErrorKind::usage, what, where, "the extension must be .ply, .obj, .svg or .json");
 }
 
@@ -107,15 +113,16 @@ std::string format_lines_json(const LineSet& lines) {
   return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string format_lines(const LineSet& lines, std::string_view format) {
-  return formatter_of(format, std::string(format))(lines);
+std::string format_lines(const LineSet& lines, std::string_view format, const LinesWarning& warn) {
+  return formatter_of(format, std::string(format))(lines, warn);
 }
 
-void write_lines(const std::filesystem::path& path, const LineSet& lines, const Context& context) {
+void write_lines(const std::filesystem::path& path, const LineSet& lines, const LinesWarning& warn,
+                 const Context& context) {
   const std::string extension = lower_extension(path);
   const Formatter format =
       formatter_of(extension.empty() ? "" : extension.substr(1), path.string());
-  write_file(path, format(lines), what, context);
+  write_file(path, format(lines, warn), what, context);
 }
 
 }  // namespace craze

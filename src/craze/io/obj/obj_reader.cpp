@@ -2,14 +2,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <map>
+#include <memory>
+#include <sstream>
 #include <unordered_map>
 
 #include "craze/base/progress_meter.h"
+#include "craze/error.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
+#include "craze/io/image/picture_type.h"
+#include "craze/io/obj/mtl.h"
 #include "craze/io/obj/obj.h"
+#include "craze/io/obj/obj_scene.h"
 #include "craze/io/polygons/polygon_soup.h"
 
 namespace craze {
@@ -41,13 +48,15 @@ class ObjReader {
         read_face();
       } else if (keyword == "usemtl") {
         use_material(text_.rest_of_line());
+      } else if (keyword == "mtllib") {
+        name_library(std::string(text_.rest_of_line()));
       } else if (keyword == "o") {
         object_ = text_.rest_of_line();
         group_.clear();
-        begin_object();
+        is_new_object_ = true;
       } else if (keyword == "g") {
         group_ = text_.rest_of_line();
-        begin_object();
+        is_new_object_ = true;
       } else if (!keyword.empty() && keyword != "s") {
         leave_out(keyword);
       }
@@ -57,6 +66,7 @@ class ObjReader {
     warn_of_left_out();
     mesh.material_names = std::move(material_names_);
     mesh.object_names = std::move(object_names_);
+    keep_scene();
     if (!colors_.empty()) {
       colors_.resize(mesh.positions.size(), Color{1, 1, 1, 1});
       mesh.vertex_colors = std::move(colors_);
@@ -92,6 +102,7 @@ class ObjReader {
 
   /// Corners V, V/VT, V//VN or V/VT/VN; what is behind a slash may be missing.
   void read_face() {
+    if (is_new_object_) begin_object();
     while (text_.more_on_line()) {
       SoupCorner corner;
       corner.vertex = read_vertex_index();
@@ -166,8 +177,57 @@ class ObjReader {
     material_ = found->second;
   }
 
+  /// One name that may hold spaces, or several.
+  void name_library(const std::string& names) {
+    const auto& known = scene_.libraries;
+    if (names.empty() || std::find(known.begin(), known.end(), names) != known.end()) return;
+    scene_.libraries.push_back(names);
+    std::string text;
+    if (bring(names, text)) {
+      scene_.materials += text + "\n";
+      return;
+    }
+    std::istringstream words(names);
+    bool any = false;
+    for (std::string name; words >> name;) {
+      if (name == names || !bring(name, text)) continue;
+      scene_.materials += text + "\n";
+      any = true;
+    }
+    if (!any) {
+      source_.warn(
+          fmt::format("material library '{}' cannot be read; its materials are known by "
+                      "name alone",
+                      printable(names)));
+    }
+  }
+
+  bool bring(const std::string& name, std::string& bytes) const {
+    if (!source_.files) return false;
+    try {
+      bytes = source_.files(name);
+      return true;
+    } catch (const Error&) {
+      return false;
+    }
+  }
+
+  /// Keeps what the file says besides its surface, and the pictures of its colours.
+  void keep_scene() {
+    if (scene_.libraries.empty() && scene_.objects.empty()) return;
+    scene_.folder = std::filesystem::path(source_.name).parent_path();
+    for (const MtlMaterial& material : parse_mtl(scene_.materials)) {
+      const std::string& name = material.color_picture;
+      if (name.empty() || scene_.pictures.count(name)) continue;
+      std::string bytes;
+      if (bring(name, bytes) && !picture_type(bytes).empty()) scene_.pictures[name] = bytes;
+    }
+    source_.scene = std::make_shared<const ObjScene>(std::move(scene_));
+  }
+
   /// Faces from here on belong to "o", "g" or "o/g", by what the file has said.
   void begin_object() {
+    is_new_object_ = false;
     const std::string name =
         object_.empty() || group_.empty() ? object_ + group_ : object_ + "/" + group_;
     if (name.empty()) {
@@ -177,7 +237,10 @@ class ObjReader {
     if (object_names_.empty()) soup_.objects.assign(soup_.ends.size(), -1);
     const auto [found, is_new] =
         object_indices_.try_emplace(name, static_cast<std::int32_t>(object_names_.size()));
-    if (is_new) object_names_.push_back(name);
+    if (is_new) {
+      object_names_.push_back(name);
+      scene_.objects.emplace_back(object_, group_);
+    }
     object_index_ = found->second;
   }
 
@@ -189,9 +252,11 @@ class ObjReader {
   std::unordered_map<std::string, std::int32_t> material_indices_;
   std::int32_t material_ = -1;
   std::string object_, group_;  ///< as the last `o` and `g` said
+  bool is_new_object_ = false;  ///< no face has come since
   std::vector<std::string> object_names_;
   std::unordered_map<std::string, std::int32_t> object_indices_;
   std::int32_t object_index_ = -1;
+  ObjScene scene_;
   std::map<std::string, std::size_t> left_out_;  ///< lines by keyword
 };
 

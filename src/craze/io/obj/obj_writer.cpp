@@ -5,6 +5,7 @@
 
 #include "craze/base/progress_meter.h"
 #include "craze/io/obj/obj.h"
+#include "craze/io/obj/obj_scene.h"
 #include "craze/io/polygons/unify_corners.h"
 #include "craze/mesh/mesh_parts.h"
 
@@ -15,14 +16,29 @@ namespace {
 /// From here on, an alpha is 1 but for rounding.
 constexpr float opaque = 1 - 1.0f / 512;
 
-/// What `usemtl` can carry: one line, and a name at all.
-std::string material_name(const SurfaceMesh& mesh, std::int32_t material) {
-  if (material < 0) return "(null)";
-  std::string name = mesh.material_names[material];
+std::string one_line(std::string name) {
   for (char& c : name) {
     if (c == '\n' || c == '\r' || c == '\t') c = '_';
   }
+  return name;
+}
+
+/// What `usemtl` can carry: one line, and a name at all.
+std::string material_name(const SurfaceMesh& mesh, std::int32_t material) {
+  if (material < 0) return "(null)";
+  const std::string name = one_line(mesh.material_names[material]);
   return name.empty() ? fmt::format("material_{}", material) : name;
+}
+
+/// `o` and `g` as the file had them.
+std::string object_lines(const SurfaceMesh& mesh, std::int32_t object, const ObjScene* scene) {
+  if (object < 0) return "g\n";
+  const auto number = static_cast<std::size_t>(object);
+  if (!scene || number >= scene->objects.size()) {
+    return "o " + one_line(mesh.object_names[number]) + "\n";
+  }
+  const auto& [o, g] = scene->objects[number];
+  return (o.empty() ? "" : "o " + o + "\n") + (g.empty() ? "" : "g " + g + "\n");
 }
 
 }  // namespace
@@ -37,6 +53,7 @@ std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
   std::string text = "# craze\n";
   text.reserve(64 * mesh.positions.size() + 32 * mesh.triangles.size());
   const auto out = std::back_inserter(text);
+  if (!options.material_library.empty()) text += "mtllib " + options.material_library + "\n";
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     meter.at(v);
     const Vec3& p = mesh.positions[v];
@@ -54,10 +71,16 @@ std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
     fmt::format_to(out, FMT_COMPILE("vn {} {} {}\n"), n.x(), n.y(), n.z());
   }
 
-  std::int32_t material = -1;
+  const auto* scene = dynamic_cast<const ObjScene*>(options.scene.get());
+  const bool has_objects = options.objects.empty() && !mesh.face_objects.empty();
+  std::int32_t material = -1, object = -1;
   std::size_t faces = 0;
   const auto add_face = [&](std::size_t f) {
     meter.at(mesh.positions.size() + faces++);
+    if (has_objects && mesh.face_objects[f] != object) {
+      object = mesh.face_objects[f];
+      text += object_lines(mesh, object, scene);
+    }
     if (!mesh.face_materials.empty() && mesh.face_materials[f] != material) {
       material = mesh.face_materials[f];
       fmt::format_to(out, "usemtl {}\n", material_name(mesh, material));

@@ -18,7 +18,7 @@ namespace craze {
 /// `tristrips`: strips that −1 ends. Other scalars become attributes of their name; NAME_0 NAME_1 …
 /// become one attribute of several components. Other lists and elements are skipped, and so is what
 /// ascii rows hold beyond the header, with a warning. Names of "comment TextureFile NAME" lines are
-/// told. Throws Error(input).
+/// told, and comments kept as the scene. Throws Error(input).
 SurfaceMesh read_ply(const MeshSource& source);
 
 /// Whether the first line is "ply".

@@ -116,8 +116,14 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
     } else if (keyword == "comment") {
       text.more_on_line();
       const std::string_view what = text.word();
-      if (what == "material") header.materials.emplace_back(text.rest_of_line());
-      if (what == "TextureFile") header.textures.emplace_back(text.rest_of_line());
+      const std::string rest(text.rest_of_line());
+      if (what == "material") {
+        header.materials.push_back(rest);
+        continue;
+      }
+      if (what == "TextureFile") header.textures.push_back(rest);
+      const std::string comment = std::string(what) + (rest.empty() ? "" : " " + rest);
+      if (comment != "craze") header.comments.push_back(comment);
     } else if (keyword != "obj_info") {
       text.fail(fmt::format("'{}' is not a PLY header line", printable(keyword)));
     }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/ply/ply.h"
 #include "craze/io/ply/ply_rows.h"
+#include "craze/io/ply/ply_scene.h"
 #include "craze/io/polygons/polygon_soup.h"
 
 namespace craze {
@@ -115,6 +117,14 @@ class PlyReader {
     }
     add_strips();
     source_.textures = header.textures;
+    if (source_.looks && header.textures.size() == 1) {
+      MaterialLook look;
+      look.texture_file = header.textures[0];
+      source_.looks->assign(std::max<std::size_t>(1, header.materials.size()), look);
+    }
+    if (!header.comments.empty()) {
+      source_.scene = std::make_shared<const PlyScene>(header.comments);
+    }
     link_corners();
     SurfaceMesh mesh = triangulate(std::move(soup_), source_);
     mesh.vertex_colors = std::move(colors_);

@@ -7,6 +7,7 @@
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/ply/ply.h"
 #include "craze/io/ply/ply_properties.h"
+#include "craze/io/ply/ply_scene.h"
 #include "craze/io/polygons/unify_corners.h"
 
 namespace craze {
@@ -29,7 +30,8 @@ bool is_color_channel(const Attribute& a) {
 
 }  // namespace
 
-std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions&, const Context& context) {
+std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions& options,
+                       const Context& context) {
   const UnifiedCorners unified = unify_corners(mesh);
   const auto source = [&](std::size_t i) { return static_cast<std::size_t>(unified.sources[i]); };
 
@@ -71,6 +73,9 @@ std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions&, const Co
   }
 
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment craze\n";
+  if (const auto* scene = dynamic_cast<const PlyScene*>(options.scene.get())) {
+    for (const std::string& comment : scene->comments) bytes += "comment " + comment + "\n";
+  }
   for (const std::string& material : mesh.material_names) {
     bytes += fmt::format("comment material {}\n", one_line(material));
   }

@@ -55,12 +55,13 @@ struct Grid {
 constexpr int corner_x[4] = {0, 1, 1, 0}, corner_y[4] = {0, 0, 1, 1};
 
 // Halves the offsets around triangles smaller than a twentieth of a regular one until none is left.
-void calm(Grid& grid) {
+void calm(Grid& grid, const Context& context) {
   const RectangleOptions& o = grid.options;
   const double regular = 0.5 * o.size_x / o.cells_x * o.size_y / o.cells_y;
   for (bool changed = true; changed;) {
     changed = false;
     for (int j = 0; j < o.cells_y; ++j) {
+      context.check();
       for (int i = 0; i < o.cells_x; ++i) {
         for (const auto& t : grid.split(i, j)) {
           const auto at = [&](int k) {
@@ -77,12 +78,13 @@ void calm(Grid& grid) {
 
 }  // namespace
 
-SurfaceMesh make_rectangle(const RectangleOptions& options) {
+SurfaceMesh make_rectangle(const RectangleOptions& options, const Context& context) {
   const int nx = options.cells_x, ny = options.cells_y;
   Grid grid{options, std::vector<Vec3>((nx + 1) * (ny + 1), Vec3::Zero())};
   if (options.jitter > 0) {
     Random random(options.seed);
     for (int j = 0; j <= ny; ++j) {
+      context.check();
       for (int i = 0; i <= nx; ++i) {
         const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
         const bool slides_x = i > 0 && i<nx, slides_y = j> 0 && j < ny;
@@ -90,13 +92,15 @@ SurfaceMesh make_rectangle(const RectangleOptions& options) {
             options.jitter * Vec3(slides_x ? x : 0, slides_y ? y : 0, 0);
       }
     }
-    calm(grid);
+    calm(grid, context);
   }
   SurfaceMesh mesh;
   for (int j = 0; j <= ny; ++j) {
+    context.check();
     for (int i = 0; i <= nx; ++i) mesh.positions.push_back(grid.position(i, j));
   }
   for (int j = 0; j < ny; ++j) {
+    context.check();
     for (int i = 0; i < nx; ++i) {
       for (const auto& t : grid.split(i, j)) {
         Triangle triangle;
@@ -112,7 +116,7 @@ SurfaceMesh make_rectangle(const RectangleOptions& options) {
   return mesh;
 }
 
-SurfaceMesh make_cube(int cells, double size) {
+SurfaceMesh make_cube(int cells, double size, const Context& context) {
   SurfaceMesh mesh;
   std::map<std::array<int, 3>, std::int32_t> vertices;
   const double margin = 0.02;  // of a UV tile: keeps texture filters from mixing neighbouring sides
@@ -136,6 +140,7 @@ SurfaceMesh make_cube(int cells, double size) {
       return found->second;
     };
     for (int j = 0; j < cells; ++j) {
+      context.check();
       for (int i = 0; i < cells; ++i) {
         const int start = (i + j) % 2;
         for (int half = 0; half < 2; ++half) {

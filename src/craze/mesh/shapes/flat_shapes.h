@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "craze/context.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -19,9 +20,9 @@ struct RectangleOptions {
 /// diagonal direction is preferred. With jitter the vertices of the border slide along it, the
 /// corners stay, and each cell takes its Delaunay diagonal; a displacement that would flatten a
 /// triangle is halved until it does not.
-SurfaceMesh make_rectangle(const RectangleOptions& options);
+SurfaceMesh make_rectangle(const RectangleOptions& options, const Context& context);
 
 /// A closed cube of 12 cells² triangles, centred; each side has its own place in UV space.
-SurfaceMesh make_cube(int cells, double size);
+SurfaceMesh make_cube(int cells, double size, const Context& context);
 
 }  // namespace craze

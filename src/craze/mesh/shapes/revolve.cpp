@@ -68,8 +68,10 @@ std::vector<Ring> sample(const std::vector<ProfileStretch>& profile, double edge
 }
 
 // Gives the rings their vertices. Neighbouring rings are turned by half a step against each other.
-void place_vertices(std::vector<Ring>& rings, double edge, bool loop, SurfaceMesh& mesh) {
+void place_vertices(std::vector<Ring>& rings, double edge, bool loop, SurfaceMesh& mesh,
+                    const Context& context) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
+    context.check();
     Ring& ring = rings[i];
     if (loop && i + 1 == rings.size()) {
       ring.first = rings[0].first;
@@ -154,13 +156,15 @@ ProfileStretch bezier(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d
   return s;
 }
 
-SurfaceMesh revolve(const std::vector<ProfileStretch>& profile, double edge, bool loop) {
+SurfaceMesh revolve(const std::vector<ProfileStretch>& profile, double edge, const Context& context,
+                    bool loop) {
   SurfaceMesh mesh;
   std::vector<Ring> rings = sample(profile, edge, loop);
-  place_vertices(rings, edge, loop, mesh);
+  place_vertices(rings, edge, loop, mesh, context);
   double turn = 2 * pi;  // the seam is a zigzag of mesh edges: u runs a little past one turn
   for (const Ring& r : rings) turn = std::max(turn, 2 * pi + r.phase);
   for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
+    context.check();
     stitch(mesh, rings[i], rings[i + 1], 1 / turn);
   }
   return mesh;

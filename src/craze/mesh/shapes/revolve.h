@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "craze/context.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -22,6 +23,7 @@ ProfileStretch bezier(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d
 /// if the profile starts and ends on the axis (radius 0) or is itself closed (`loop`: the last
 /// point equals the first). UVs: u about the axis, v along the profile. Corner normals are those
 /// of the smooth surface.
-SurfaceMesh revolve(const std::vector<ProfileStretch>& profile, double edge, bool loop = false);
+SurfaceMesh revolve(const std::vector<ProfileStretch>& profile, double edge, const Context& context,
+                    bool loop = false);
 
 }  // namespace craze

@@ -91,11 +91,11 @@ void add_sphere_uvs(SurfaceMesh& mesh, const Triangle& t, double u_scale) {
 
 }  // namespace
 
-SurfaceMesh make_disc(double radius, double edge) {
-  return revolve({{{radius, 0}, {0, 0}}}, edge);
+SurfaceMesh make_disc(double radius, double edge, const Context& context) {
+  return revolve({{{radius, 0}, {0, 0}}}, edge, context);
 }
 
-SurfaceMesh make_sphere(double radius, int frequency) {
+SurfaceMesh make_sphere(double radius, int frequency, const Context& context) {
   SurfaceMesh mesh;
   const auto corners = icosahedron_corners();
   // A grid point is shared by all sides that contain it: its name lists (corner, weight), sorted.
@@ -121,13 +121,17 @@ SurfaceMesh make_sphere(double radius, int frequency) {
     const int n = frequency;
     const auto at = [&](int i, int j) { return vertex(side, {n - i - j, i, j}); };
     for (int i = 0; i < n; ++i) {
+      context.check();
       for (int j = 0; i + j < n; ++j) {
         mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
         if (i + j + 1 < n) mesh.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
       }
     }
   }
-  for (const Triangle& t : mesh.triangles) {
+  constexpr std::size_t slice = 1 << 16;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    if (f % slice == 0) context.check();
+    const Triangle& t = mesh.triangles[f];
     add_sphere_uvs(mesh, t, 1);
     for (std::int32_t v : t) mesh.corner_normals.push_back(mesh.positions[v]);
   }
@@ -138,26 +142,28 @@ SurfaceMesh make_sphere(double radius, int frequency) {
   return mesh;
 }
 
-SurfaceMesh make_cylinder(double radius, double height, bool open, double edge) {
+SurfaceMesh make_cylinder(double radius, double height, bool open, double edge,
+                          const Context& context) {
   const double z = height / 2;
   const ProfileStretch side{{radius, -z}, {radius, z}};
-  if (open) return revolve({side}, edge);
-  return revolve({{{0, -z}, {radius, -z}}, side, {{radius, z}, {0, z}}}, edge);
+  if (open) return revolve({side}, edge, context);
+  return revolve({{{0, -z}, {radius, -z}}, side, {{radius, z}, {0, z}}}, edge, context);
 }
 
-SurfaceMesh make_torus(double major, double minor, double edge) {
-  return revolve({arc({major, 0}, minor, 0, 2 * pi)}, edge, true);
+SurfaceMesh make_torus(double major, double minor, double edge, const Context& context) {
+  return revolve({arc({major, 0}, minor, 0, 2 * pi)}, edge, context, true);
 }
 
-SurfaceMesh make_bowl(double radius, double wall, double edge) {
+SurfaceMesh make_bowl(double radius, double wall, double edge, const Context& context) {
   const double lip = wall / 2;
   const Vec2 center(0, radius);
   return revolve({arc(center, radius, -pi / 2, 0), arc({radius - lip, radius}, lip, 0, pi),
                   arc(center, radius - wall, 0, -pi / 2)},
-                 edge);
+                 edge, context);
 }
 
-SurfaceMesh make_cup(double radius, double height, double wall, double edge) {
+SurfaceMesh make_cup(double radius, double height, double wall, double edge,
+                     const Context& context) {
   const double foot = 0.07 * height, foot_out = 0.56 * radius, foot_in = foot_out - wall;
   const double lip = wall / 2, top = height - lip;
   // Outside: the underside within the foot ring, the ring, the body.
@@ -172,7 +178,7 @@ SurfaceMesh make_cup(double radius, double height, double wall, double edge) {
   const double bottom = foot + wall;
   const ProfileStretch inside = bezier({radius - wall, top}, {0.95 * radius - wall, 0.45 * height},
                                        {0.9 * radius - wall, bottom}, {0, bottom});
-  return revolve({under, ring_inside, ring_base, ring_outside, body, rim, inside}, edge);
+  return revolve({under, ring_inside, ring_base, ring_outside, body, rim, inside}, edge, context);
 }
 
 }  // namespace craze

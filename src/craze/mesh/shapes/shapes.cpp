@@ -96,48 +96,50 @@ const std::vector<ShapeInfo>& shape_table() {
   return table;
 }
 
-SurfaceMesh make_shape(std::string_view specification) {
+SurfaceMesh make_shape(std::string_view specification, const Context& context) {
   const ShapeSpec s = parse_shape(specification);
   const std::string_view name = s.shape->name;
   const auto around = [](double radius) { return 2 * std::numbers::pi * radius; };
   if (name == "plate") {
     const int n = s.integer("n");
     return make_rectangle(
-        {n, n, s["size"], s["size"], s["jitter"], static_cast<std::uint64_t>(s["seed"])});
+        {n, n, s["size"], s["size"], s["jitter"], static_cast<std::uint64_t>(s["seed"])}, context);
   }
   if (name == "strip") {
     const int across = s.integer("n");
     const double along = std::max(1.0, std::round(across * s["length"] / s["width"]));
     require(along * across <= 16e6, s, "more than 32 million triangles: make n or length smaller");
     return make_rectangle({static_cast<int>(along), across, s["length"], s["width"], s["jitter"],
-                           static_cast<std::uint64_t>(s["seed"])});
+                           static_cast<std::uint64_t>(s["seed"])},
+                          context);
   }
-  if (name == "disc") return make_disc(s["radius"], edge_length(s, around(s["radius"])));
-  if (name == "cube") return make_cube(s.integer("n"), s["size"]);
-  if (name == "sphere") return make_sphere(s["radius"], s.integer("n"));
+  if (name == "disc") return make_disc(s["radius"], edge_length(s, around(s["radius"])), context);
+  if (name == "cube") return make_cube(s.integer("n"), s["size"], context);
+  if (name == "sphere") return make_sphere(s["radius"], s.integer("n"), context);
   if (name == "cylinder") {
     require(s["height"] <= 100 * s["radius"], s, "height must be at most 100 radii");
     return make_cylinder(s["radius"], s["height"], s["open"] == 1,
-                         edge_length(s, around(s["radius"])));
+                         edge_length(s, around(s["radius"])), context);
   }
   if (name == "torus") {
     require(s["minor"] < s["major"], s, "minor must be smaller than major");
-    return make_torus(s["major"], s["minor"], edge_length(s, around(s["major"])));
+    return make_torus(s["major"], s["minor"], edge_length(s, around(s["major"])), context);
   }
   if (name == "bowl") {
     require(s["wall"] < s["radius"], s, "wall must be smaller than radius");
-    return make_bowl(s["radius"], s["wall"], edge_length(s, around(s["radius"])));
+    return make_bowl(s["radius"], s["wall"], edge_length(s, around(s["radius"])), context);
   }
-  if (name == "bumps") return make_bumps(s["radius"], s.integer("n"));
+  if (name == "bumps") return make_bumps(s["radius"], s.integer("n"), context);
   if (name == "drape") {
     require(s["height"] >= s["radius"] && s["height"] <= 20 * s["radius"], s,
             "height must be 1 to 20 radii");
-    return make_drape(s["radius"], s["height"], edge_length(s, around(s["radius"])));
+    return make_drape(s["radius"], s["height"], edge_length(s, around(s["radius"])), context);
   }
   require(s["wall"] < 0.3 * s["radius"] && s["wall"] < 0.3 * s["height"], s,
           "wall must be smaller than 0.3 radius and 0.3 height");
   require(s["height"] <= 20 * s["radius"], s, "height must be at most 20 radii");
-  return make_cup(s["radius"], s["height"], s["wall"], edge_length(s, around(s["radius"])));
+  return make_cup(s["radius"], s["height"], s["wall"], edge_length(s, around(s["radius"])),
+                  context);
 }
 
 }  // namespace craze

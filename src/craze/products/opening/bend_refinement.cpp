@@ -11,8 +11,7 @@ namespace craze {
 
 namespace {
 
-/// Splits the longest edges first, so that triangles stay as round as they were. The two sides of a
-/// crack are as long as each other, so they are split alike.
+/// Splits the longest edges first, so that triangles stay as round as they were.
 class Bender {
  public:
   Bender(TriangleMesh mesh, std::vector<double> crack_distance, double length)
@@ -26,7 +25,8 @@ class Bender {
     while (!edges_.empty()) {
       const auto [length, h] = edges_.top();
       edges_.pop();
-      if (length == edge_length(h)) split(h);
+      // By now h may be another edge.
+      if (length == edge_length(h) && is_too_long(h) && is_longest(h)) split(h);
     }
     return std::move(mesh_);
   }
@@ -36,12 +36,27 @@ class Bender {
     return (mesh_.position(mesh_.to(h)) - mesh_.position(mesh_.from(h))).norm();
   }
 
-  void offer(std::int32_t h) {
-    if (mesh_.opposite(h) > h) return;  // each edge once
+  /// Of the faces at an edge. What is not the longest waits until that is split, for ever if it is
+  /// not to be split: else edges beside it would be split without end and get no shorter.
+  bool is_longest(std::int32_t h) const {
     const double length = edge_length(h);
-    if (length <= longest_) return;
-    if (std::min(distance_[mesh_.from(h)], distance_[mesh_.to(h)]) > reach_) return;
-    edges_.emplace(length, h);
+    for (const std::int32_t g : {h, mesh_.opposite(h)}) {
+      if (g >= 0 && std::max(edge_length(TriangleMesh::next(g)),
+                             edge_length(TriangleMesh::prev(g))) > length) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool is_too_long(std::int32_t h) const {
+    return mesh_.crack_of(h) < 0 && edge_length(h) > longest_ &&
+           std::min(distance_[mesh_.from(h)], distance_[mesh_.to(h)]) <= reach_;
+  }
+
+  void offer(std::int32_t h) {
+    const bool stands_for_edge = mesh_.opposite(h) < h;
+    if (stands_for_edge && is_too_long(h)) edges_.emplace(edge_length(h), h);
   }
 
   void split(std::int32_t h) {

@@ -13,10 +13,10 @@ namespace craze {
 inline constexpr double bend_tolerance = 0.05;
 
 /// The mesh with every edge near cracks short enough for a lift that fades over `length` (ℓ) to be
-/// drawn within bend_tolerance; both sides of a crack are split alike. crack_distance: #V, length;
-/// where the lift is below bend_tolerance nothing is split. Vertices keep their numbers, faces are
-/// parts of those of the same number (source_face) with the others after them. Null: nothing had to
-/// be split.
+/// drawn within bend_tolerance. Sides of cracks stay whole, and where one is longer than that, so
+/// may be the shorter edges beside it. crack_distance: #V, length; where the lift is below
+/// bend_tolerance nothing is split. Vertices keep their numbers, faces are parts of those of the
+/// same number (source_face) with the others after them. Null: nothing had to be split.
 std::shared_ptr<const TriangleMesh> refined_to_bend(const TriangleMesh& mesh,
                                                     std::vector<double> crack_distance,
                                                     double length);

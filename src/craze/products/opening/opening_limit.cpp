@@ -19,6 +19,11 @@ constexpr int rounds = 30;
 constexpr double step_back = 0.65;
 /// Of the mean distance between cracks: over such a length a share grows from nothing to all.
 constexpr double taper_per_spacing = 1.0 / 6;
+/// Where all are made smaller, the length over which a share grows by what was begun with: half of
+/// a piece, so that pieces shrink as a whole.
+constexpr double smaller_taper_per_spacing = 1.0 / 2;
+/// How far the rims of nearly all pieces may go then, of the mean distance between cracks.
+constexpr double rim_way = 1.0 / 3, nearly_all = 0.9;
 /// Shares below are nothing at all.
 constexpr double nothing = 0.03;
 /// Walls of this share of their depth are no deeper than need be.
@@ -50,10 +55,10 @@ class Limiter {
     for (int round = 0; round < rounds && !sound; ++round) {
       context_.report({"open", static_cast<double>(round) / rounds});
       context_.check();
-      spread(shares_.move);
-      spread(shares_.depth);
+      spread(shares_.move, growth_);
+      spread(shares_.depth, 1 / taper_per_spacing);
       sound = step(round + 5 < rounds ? step_back : 0);
-      if (round == 0 && !sound) stay_in_pieces();
+      if (round == 0 && !sound) begin_smaller();
     }
     OpeningLimit limit;
     if (!sound) {
@@ -72,13 +77,21 @@ class Limiter {
   }
 
  private:
-  /// No further than to the middle of a piece: there is nothing to find by trying.
-  void stay_in_pieces() {
-    const double most = 0.5 * spacing_;
-    for (std::size_t v = 0; v < shares_.move.size() && most > 0; ++v) {
-      const double length = motion_.shift[v].norm();
-      if (length > most) shares_.move[v] = std::min(shares_.move[v], most / length);
+  /// Where all is too much, it is begun anew and smaller everywhere alike: as a smaller opening.
+  void begin_smaller() {
+    std::vector<double> ways;  // of the rims
+    for (std::size_t v = 0; v < motion_.shift.size(); ++v) {
+      if (motion_.sites.site_of[v] >= 0) ways.push_back(motion_.shift[v].norm());
     }
+    if (ways.empty()) return;
+    const auto at = static_cast<std::ptrdiff_t>(nearly_all * static_cast<double>(ways.size()));
+    std::nth_element(ways.begin(), ways.begin() + at, ways.end());
+    const double way = ways[static_cast<std::size_t>(at)], most = rim_way * spacing_;
+    if (!(way > most)) return;
+    const double share = most / way;
+    shares_.move.assign(shares_.move.size(), share);
+    shares_.depth.assign(shares_.depth.size(), 1);
+    growth_ = share / smaller_taper_per_spacing;
   }
 
   /// Takes back where it is too far; true where nothing is.
@@ -127,9 +140,8 @@ class Limiter {
   /// Makes the shares of a site the least of them, and lets no share grow faster along the surface
   /// than over the taper, so that an opening narrows towards where it has no room, whatever the
   /// triangles there. From the least share up (Dijkstra): each vertex is settled once.
-  void spread(std::vector<double>& share) const {
-    const double taper = taper_per_spacing * spacing_;
-    if (taper == 0) return;                         // no cracks
+  void spread(std::vector<double>& share, double growth) const {
+    if (spacing_ == 0) return;                      // no cracks
     using Entry = std::pair<double, std::int32_t>;  // share, vertex
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     for (std::size_t v = 0; v < share.size(); ++v) {
@@ -149,7 +161,7 @@ class Limiter {
       }
       mesh_.for_each_outgoing(v, [&](std::int32_t h) {
         for (const std::int32_t u : {mesh_.to(h), mesh_.from(TriangleMesh::prev(h))}) {
-          lower(u, least + (mesh_.position(u) - mesh_.position(v)).norm() / taper);
+          lower(u, least + growth * (mesh_.position(u) - mesh_.position(v)).norm() / spacing_);
         }
       });
     }
@@ -159,9 +171,12 @@ class Limiter {
     std::vector<std::int32_t> faces;
     for (std::int32_t f = 0; f < mesh_.face_count(); ++f) {
       const Triangle& t = mesh_.triangle(f);
-      if (area_normal(mesh_.positions(), t).dot(area_normal(positions, t)) < 0) {
-        faces.push_back(f);
+      bool turned = area_normal(mesh_.positions(), t).dot(area_normal(positions, t)) < 0;
+      // A piece that has shrunk through its middle is turned about it, in its own plane.
+      for (std::int32_t h = 3 * f; h < 3 * f + 3 && !turned; ++h) {
+        turned = edge(mesh_.positions(), h).dot(edge(positions, h)) < 0;
       }
+      if (turned) faces.push_back(f);
     }
     return faces;
   }
@@ -179,6 +194,9 @@ class Limiter {
     return fresh;
   }
 
+  Vec3 edge(const std::vector<Vec3>& positions, std::int32_t h) const {
+    return positions[mesh_.to(h)] - positions[mesh_.from(h)];
+  }
   bool has_wall(std::size_t v) const {
     return !motion_.walls.bottom.empty() && mesh_.is_open_vertex(static_cast<std::int32_t>(v));
   }
@@ -192,6 +210,7 @@ class Limiter {
   std::vector<Triangle> triangles_;                 // of the mesh, then of the walls
   std::vector<std::vector<std::int32_t>> on_site_;  // the vertices of each site
   double spacing_ = 0;                              // mean distance between cracks
+  double growth_ = 1 / taper_per_spacing;           // of a share of the way, over such a distance
   OpeningShares shares_;
   std::size_t most_pairs_;
   Pairs before_;  // crossings of the mesh as it is

@@ -31,14 +31,15 @@ struct OpeningLimit {
   OpeningShares shares;        ///< 1 where the surface opens all the way
   std::int32_t limited = 0;    ///< vertices that go less than all the way, or have less of a wall
   double least = 1;            ///< the smallest share
-  std::int32_t folded = 0;     ///< faces still turned over
+  std::int32_t folded = 0;     ///< faces still turned over, or with an edge that points back
   std::int32_t crossings = 0;  ///< pairs of triangles that still cross and did not before
 };
 
-/// Starts with all the way, or half of the distance between cracks where that is less, and takes
-/// back what makes triangles turn over or cross, first the depth of walls, then the movement; from
-/// there shares grow with the distance along the surface, so that openings taper. What crosses in
-/// the mesh as it is cannot be mended so and does not count. Throws Cancelled.
+/// Starts with all the way. Where that is too much, with as much of it everywhere as takes nearly
+/// all rims no further than a third of the distance between cracks. Then takes back what makes
+/// triangles turn over or cross, first the depth of walls, then the movement; from there shares
+/// grow with the distance along the surface, so that openings taper. What crosses in the mesh as it
+/// is cannot be mended so and does not count. Throws Cancelled.
 OpeningLimit limit_opening(const OpeningMotion& motion, const Context& context);
 
 }  // namespace craze

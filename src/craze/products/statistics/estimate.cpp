@@ -54,6 +54,7 @@ Estimate bootstrap(std::size_t n, const Bootstrap& options,
   double sum = 0, sum_squares = 0;
   int count = 0;
   for (int k = 0; k < options.resamples; ++k) {
+    options.context.check();
     drawn.assign(n, 0.0);
     for (std::size_t i = 0; i < n; ++i) drawn[random.below(n)] += 1;
     const double d = statistic(drawn) - e.value;

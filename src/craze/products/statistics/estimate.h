@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "craze/context.h"
+
 namespace craze {
 
 /// NaN stands for "not measured": too few samples, or not known for this input.
@@ -28,10 +30,12 @@ Estimate fraction_of(std::int64_t hits, std::int64_t n);
 struct Bootstrap {
   int resamples = 200;  ///< 0: values only, errors stay NaN
   std::uint64_t seed = 1;
+  Context context = {};  ///< asked before each resample whether to stop
 };
 
 /// value = statistic(multiplicities all 1); error = its standard deviation over resamples of the n
 /// items with replacement. The statistic gets how often each item was drawn, as a weight.
+/// Throws Cancelled.
 Estimate bootstrap(std::size_t n, const Bootstrap& options,
                    const std::function<double(const std::vector<double>&)>& statistic);
 

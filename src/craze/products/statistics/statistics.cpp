@@ -214,29 +214,37 @@ void measure_lines(Statistics& s, const CrackGraph& graph, const CrackGraph& mos
 }
 
 Statistics measure(const Pattern& pattern, double simplify, const StatisticsOptions& o) {
+  const Context& context = o.bootstrap.context;
+  context.check();
   const BranchFit fit = pattern.fit();
   const double tolerance = o.tolerance / degrees;
   const CrackGraph graph = pattern.simplified(simplify);
   CrackGraph mosaic = graph;
   mosaic.remove_dead_ends();
+  context.check();
   const auto sectors = all_sector_angles(graph, fit);
   const auto mosaic_sectors = all_sector_angles(mosaic, fit);
   const auto cells =
       find_cells(mosaic, mosaic_sectors, tolerance, pattern.input.piece_areas, pattern.window);
+  context.check();
   std::vector<char> counted = pattern.near_border_nodes(graph);
   for (char& c : counted) c = !c;  // nodes keep their index in the mosaic
 
   Statistics s;
   measure_junctions(s, graph, sectors, counted, o);
   measure_areas(s, cells, pattern.input, o);
+  context.check();
   measure_mosaic(s, mosaic, mosaic_sectors, counted, cells, o);
+  context.check();
   measure_lines(s, graph, mosaic, counted, cells, pattern, o);
+  context.check();
   const Anisotropy a = measure_anisotropy(graph, o.axis, o.bootstrap);
   s.anisotropy = a.strength;
   s.anisotropy_null = a.null;
   s.direction_entropy = a.entropy;
   s.direction = a.direction;
   s.direction_rms = a.rms_deviation;
+  context.check();
   const CrackOrder order = measure_order(graph, sectors, tolerance, counted, o.bootstrap);
   s.leg_younger = order.leg_younger;
   s.kendall_tau = order.kendall_tau;
@@ -245,6 +253,7 @@ Statistics measure(const Pattern& pattern, double simplify, const StatisticsOpti
   const bool framed = pattern.window && !pattern.window->drawn;
   const std::vector<char> ignored = framed ? pattern.near_border_nodes(pattern.raw)
                                            : std::vector<char>(pattern.raw.nodes().size(), 0);
+  context.check();
   const Flaws flaws = measure_flaws(pattern.raw, pattern.unit, ignored);
   s.dead_ends = flaws.dead_ends;
   s.spurs = flaws.spurs;
@@ -255,11 +264,13 @@ Statistics measure(const Pattern& pattern, double simplify, const StatisticsOpti
 }  // namespace
 
 Statistics compute_statistics(const CrackGraphInput& input, const StatisticsOptions& options) {
+  options.bootstrap.context.report({"statistics"});
   return measure(Pattern(input, options), options.simplify, options);
 }
 
 StatisticsWithSensitivity compute_with_sensitivity(const CrackGraphInput& input,
                                                    const StatisticsOptions& options) {
+  options.bootstrap.context.report({"statistics"});
   const Pattern pattern(input, options);
   StatisticsOptions quick = options;
   quick.bootstrap.resamples = 0;

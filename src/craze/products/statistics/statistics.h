@@ -11,13 +11,13 @@ namespace craze {
 
 /// Lengths are in units of √Ā, the root of the mean cell area.
 struct StatisticsOptions {
-  double simplify = 0.05;     ///< spurs shorter than this are pruned, edges contracted
-  double border_margin = 1;   ///< junctions nearer to an open border are left out
-  double fit_from = 0.05;     ///< r₁ of the line fitted to each branch
-  double fit_to = 0.4;        ///< r₂
-  double tolerance = 20;      ///< degrees: what still counts as 180° (T) or 120° (Y)
-  Vec3 axis = Vec3::UnitX();  ///< directions are measured from it
-  Bootstrap bootstrap = {100, 1};
+  double simplify = 0.05;          ///< spurs shorter than this are pruned, edges contracted
+  double border_margin = 1;        ///< junctions nearer to an open border are left out
+  double fit_from = 0.05;          ///< r₁ of the line fitted to each branch
+  double fit_to = 0.4;             ///< r₂
+  double tolerance = 20;           ///< degrees: what still counts as 180° (T) or 120° (Y)
+  Vec3 axis = Vec3::UnitX();       ///< directions are measured from it
+  Bootstrap bootstrap = {100, 1};  ///< its context is asked between all measurements
 };
 
 /// A quantity that was not measured is NaN. quantities.h gives each its key and meaning.
@@ -55,8 +55,10 @@ struct StatisticsWithSensitivity {
   Statistics result, at_half, at_double;  ///< the last two without errors
 };
 
+/// Throws Cancelled.
 Statistics compute_statistics(const CrackGraphInput& input, const StatisticsOptions& options = {});
 
+/// Throws Cancelled.
 StatisticsWithSensitivity compute_with_sensitivity(const CrackGraphInput& input,
                                                    const StatisticsOptions& options = {});
 

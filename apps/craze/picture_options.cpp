@@ -1,0 +1,115 @@
+#include "picture_options.h"
+
+#include "app.h"
+#include "craze/error.h"
+
+namespace craze::app {
+
+namespace {
+
+render::Rgb color_of(const std::string& text) {
+  const bool hexadecimal =
+      text.size() == 6 && text.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+  if (!hexadecimal) {
+    throw Error(ErrorKind::usage, "wrong colour", "--background " + text,
+                "six hexadecimal digits are wanted, such as 606a78");
+  }
+  const int rgb = std::stoi(text, nullptr, 16);
+  return render::from_srgb(rgb >> 16, rgb >> 8 & 255, rgb & 255);
+}
+
+void add_camera(CLI::App& verb, PictureChoice& choice) {
+  const char* group = "Camera of pictures";
+  render::PictureOptions& picture = choice.picture;
+  verb.add_option("--width", picture.width, "Pixels")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--height", picture.height, "Pixels")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--samples", picture.samples, "Per pixel")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--azimuth", picture.view.azimuth, "Degrees around the vertical")
+      ->type_name("DEG")
+      ->group(group);
+  verb.add_option("--elevation", picture.view.elevation, "Degrees above the horizon")
+      ->type_name("DEG")
+      ->check(CLI::Range(-90.0, 90.0))
+      ->group(group);
+  verb.add_option("--fov", picture.view.field_of_view,
+                  "Vertical field of view; a wide one is nearer, so that all is still seen")
+      ->type_name("DEG")
+      ->check(CLI::Range(1.0, 120.0))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--zoom", picture.view.zoom, "2: half as much is seen, twice as large")
+      ->type_name("X")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option_function<std::vector<double>>(
+          "--at",
+          [&picture](const std::vector<double>& p) {
+            picture.view.target = Vec3(p[0], p[1], p[2]);
+          },
+          "The point in the middle of the picture")
+      ->type_name("X Y Z")
+      ->expected(3)
+      ->group(group);
+  verb.add_option("--up", choice.up, "auto, x, y or z")
+      ->check(CLI::IsMember({"auto", "x", "y", "z"}).description(""))
+      ->type_name("AXIS")
+      ->group(group);
+}
+
+void add_scene(CLI::App& verb, PictureChoice& choice) {
+  const char* group = "Scene of pictures";
+  render::PictureOptions& picture = choice.picture;
+  verb.add_option("--material", choice.material,
+                  "What it looks like: clay, mud, glaze, plaster, glass or paint")
+      ->type_name("NAME")
+      ->group(group);
+  verb.add_flag("--plain", choice.plain,
+                "In the material's colours, not in the textures and colours of the mesh's own")
+      ->group(group);
+  verb.add_option("--line-width", picture.line_width, "Of a crack, model units; 0: by the size")
+      ->type_name("LENGTH")
+      ->check(not_negative())
+      ->group(group);
+  verb.add_option("--light", picture.light.azimuth,
+                  "Where the lamp stands: degrees to the right of the camera")
+      ->type_name("DEG")
+      ->group(group);
+  verb.add_option("--light-elevation", picture.light.elevation, "Degrees above the horizon")
+      ->type_name("DEG")
+      ->check(CLI::Range(-90.0, 90.0))
+      ->group(group);
+  verb.add_option("--exposure", picture.exposure, "1: as it is, 2: twice as bright")
+      ->type_name("X")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_flag_callback(
+          "--no-ground", [&picture] { picture.ground = false; }, "No floor that catches the shadow")
+      ->group(group);
+  verb.add_option_function<std::string>(
+          "--background",
+          [&picture](const std::string& color) { picture.backdrop = color_of(color); },
+          "A colour as RRGGBB; by the material")
+      ->type_name("RRGGBB")
+      ->group(group);
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& verb, PictureChoice& choice) {
+  add_camera(verb, choice);
+  add_scene(verb, choice);
+}
+
+}  // namespace craze::app

@@ -1,0 +1,21 @@
+// How a picture is taken: the same options for every verb.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "craze/render/picture.h"
+
+namespace craze::app {
+
+/// What the options leave. Material and upward axis may be a recipe's too; colours are the mesh's.
+struct PictureChoice {
+  render::PictureOptions picture;  ///< all but what is below
+  std::string material, up;        ///< as the recipe's keys take them; empty: not given
+  bool plain = false;              ///< without the mesh's own colours
+};
+
+/// --width, --height, --samples, camera, material, light and background, in two groups.
+void add_picture_options(CLI::App& verb, PictureChoice& choice);
+
+}  // namespace craze::app

@@ -1,0 +1,21 @@
+// How a file says that a material looks.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+
+#include "craze/surface_mesh.h"
+
+namespace craze {
+
+/// The base colour: the factor, times the texture where there is one.
+struct MaterialLook {
+  Color base_color{1, 1, 1, 1};                ///< linear
+  std::shared_ptr<const std::string> texture;  ///< the bytes of a PNG or JPEG; null: none here
+  std::string texture_file;                    ///< or another file, as the mesh's own names it
+  /// 2 × 3: from (u, v, 1) of the mesh to the texture's (u, v), v upwards.
+  Eigen::Matrix<double, 2, 3> texture_place = Eigen::Matrix<double, 2, 3>::Identity();
+};
+
+}  // namespace craze

@@ -1,0 +1,117 @@
+#include "craze/io/gltf/gltf_looks.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "craze/base/elementary.h"
+#include "craze/error.h"
+#include "craze/io/bytes/base64.h"
+
+namespace craze {
+
+namespace {
+
+using Place = Eigen::Matrix<double, 2, 3>;
+
+const Json* object_in(const Json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() && found->is_object() ? &*found : nullptr;
+}
+
+/// Of v upwards; the file's runs down: v' = 1 − v before and after.
+Place texture_place(const Json& transform, const GltfJson& json) {
+  double offset[2] = {0, 0}, scale[2] = {1, 1};
+  json.numbers(transform, "offset", offset, 2);
+  json.numbers(transform, "scale", scale, 2);
+  const auto angle = transform.find("rotation");
+  const double r = angle != transform.end() && angle->is_number() ? angle->get<double>() : 0;
+  const double c = elementary::cos(r), s = elementary::sin(r);
+  Place down;
+  down << c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1];
+  Place up;
+  up << down(0, 0), -down(0, 1), down(0, 1) + down(0, 2),  //
+      -down(1, 0), down(1, 1), 1 - down(1, 1) - down(1, 2);
+  return up;
+}
+
+class Looks {
+ public:
+  Looks(const Json& root, GltfAccessors& accessors, const MeshSource& source)
+      : root_(root), accessors_(accessors), source_(source), json_(source.name) {}
+
+  MaterialLook look_of(const Json& material) {
+    MaterialLook look;
+    const Json* surface = object_in(material, "pbrMetallicRoughness");
+    if (!surface) return look;
+    double factor[4];
+    if (json_.numbers(*surface, "baseColorFactor", factor, 4)) {
+      for (std::size_t k = 0; k < 4; ++k) look.base_color[k] = static_cast<float>(factor[k]);
+    }
+    if (const Json* texture = object_in(*surface, "baseColorTexture")) add_texture(look, *texture);
+    return look;
+  }
+
+ private:
+  void add_texture(MaterialLook& look, const Json& reference) {
+    std::size_t uv_set = json_.index_or(reference, "texCoord", 0);
+    const Json* transform = json_.extension(reference, "KHR_texture_transform");
+    if (transform) uv_set = json_.index_or(*transform, "texCoord", uv_set);
+    const auto index = json_.index(reference, "index");
+    if (uv_set != 0 || !index) return;
+    const auto image = json_.index(json_.item(root_, "textures", *index), "source");
+    if (!image) return;
+    if (transform) look.texture_place = texture_place(*transform, json_);
+    std::tie(look.texture, look.texture_file) = picture(*image);
+  }
+
+  using Picture = std::pair<std::shared_ptr<const std::string>, std::string>;
+
+  const Picture& picture(std::size_t index) {
+    const auto [found, is_new] = pictures_.try_emplace(index);
+    if (is_new) {
+      try {
+        found->second = find_picture(json_.item(root_, "images", index));
+      } catch (const Error& e) {
+        source_.warn(fmt::format("image {} is not shown in pictures: {}", index, e.what()));
+      }
+    }
+    return found->second;
+  }
+
+  Picture find_picture(const Json& image) {
+    const auto hold = [](std::string bytes) {
+      return Picture{std::make_shared<const std::string>(std::move(bytes)), ""};
+    };
+    if (const auto view = json_.index(image, "bufferView")) {
+      return hold(std::string(accessors_.view(*view)));
+    }
+    std::string uri = json_.text(image, "uri");
+    if (!uri.starts_with("data:")) return {nullptr, std::move(uri)};
+    const std::size_t comma = uri.find(";base64,");
+    auto bytes = comma == std::string::npos ? std::nullopt : decode_base64(uri.substr(comma + 8));
+    if (!bytes) json_.fail("a data URI is not base64");
+    return hold(std::move(*bytes));
+  }
+
+  const Json& root_;
+  GltfAccessors& accessors_;
+  const MeshSource& source_;
+  GltfJson json_;
+  std::map<std::size_t, Picture> pictures_;  ///< by image
+};
+
+}  // namespace
+
+std::vector<MaterialLook> gltf_looks(const Json& root, GltfAccessors& accessors,
+                                     const MeshSource& source) {
+  Looks reader(root, accessors, source);
+  std::vector<MaterialLook> looks;
+  for (const Json& material : GltfJson(source.name).array(root, "materials")) {
+    looks.push_back(reader.look_of(material));
+  }
+  return looks;
+}
+
+}  // namespace craze

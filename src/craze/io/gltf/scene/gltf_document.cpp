@@ -1,0 +1,102 @@
+#include "craze/io/gltf/scene/gltf_document.h"
+
+#include <algorithm>
+#include <set>
+
+namespace craze {
+
+namespace {
+
+/// The names of the objects in one of the document's lists.
+SceneContent named(const Json& root, const char* list, const char* kind) {
+  SceneContent content{kind, {}};
+  const auto found = root.find(list);
+  if (found == root.end() || !found->is_array()) return content;
+  for (const Json& item : *found) {
+    content.names.push_back(item.is_object() ? item.value("name", std::string()) : std::string());
+  }
+  return content;
+}
+
+/// What vertices have besides what a plain mesh holds.
+struct VertexData {
+  std::set<std::string> uv_sets, others, targets;
+  std::vector<std::string> loose;  ///< one for each primitive of points or lines
+};
+
+VertexData vertex_data(const Json& root) {
+  VertexData data;
+  const auto each_key = [](const Json& object, auto&& take) {
+    if (!object.is_object()) return;
+    for (const auto& [key, value] : object.items()) take(key);
+  };
+  if (!root.contains("meshes")) return data;
+  for (const Json& mesh : root["meshes"]) {
+    if (!mesh.contains("primitives")) continue;
+    for (const Json& primitive : mesh["primitives"]) {
+      if (!primitive.contains("attributes")) continue;
+      if (primitive.value("mode", 4) < 4) data.loose.push_back(mesh.value("name", ""));
+      each_key(primitive["attributes"], [&](const std::string& key) {
+        if (key.starts_with("TEXCOORD_") && key != "TEXCOORD_0") data.uv_sets.insert(key);
+        const bool further_color = key.starts_with("COLOR_") && key != "COLOR_0";
+        if (key == "TANGENT" || further_color) data.others.insert(key);
+      });
+      if (!primitive.contains("targets")) continue;
+      for (std::size_t t = 0; t < primitive["targets"].size(); ++t) {
+        data.targets.insert(std::to_string(t));
+      }
+    }
+  }
+  return data;
+}
+
+/// Lights and whatever else extensions bring to the document.
+SceneContent lights(const Json& root) {
+  const Json::json_pointer at("/extensions/KHR_lights_punctual");
+  return root.contains(at) ? named(root[at], "lights", "lights") : SceneContent{"lights", {}};
+}
+
+}  // namespace
+
+GltfDocument::GltfDocument(Json root, std::string bin, std::vector<GltfPart> parts,
+                           const SurfaceMesh& mesh)
+    : root_(std::move(root)),
+      bin_(std::move(bin)),
+      parts_(std::move(parts)),
+      triangles_(mesh.triangles),
+      positions_(mesh.positions) {
+  for (const Attribute& a : mesh.vertex_attributes) attributes_.push_back(a.name);
+}
+
+std::size_t GltfDocument::part_of(std::int32_t face) const {
+  const auto after =
+      std::upper_bound(parts_.begin(), parts_.end(), face,
+                       [](std::int32_t f, const GltfPart& part) { return f < part.first_face; });
+  return static_cast<std::size_t>(after - parts_.begin()) - 1;
+}
+
+std::vector<SceneContent> GltfDocument::contents() const {
+  const VertexData vertices = vertex_data(root_);
+  const auto listed = [](const char* kind, const std::set<std::string>& names) {
+    return SceneContent{kind, {names.begin(), names.end()}};
+  };
+  std::vector<SceneContent> all = {
+      named(root_, "nodes", "nodes"),
+      named(root_, "meshes", "meshes"),
+      named(root_, "materials", "materials"),
+      named(root_, "textures", "textures"),
+      named(root_, "images", "images"),
+      named(root_, "animations", "animations"),
+      named(root_, "skins", "skins"),
+      named(root_, "cameras", "cameras"),
+      lights(root_),
+      listed("further UV sets", vertices.uv_sets),
+      listed("vertex attributes of its own", vertices.others),
+      listed("morph targets", vertices.targets),
+      {"primitives of points or lines", vertices.loose},
+  };
+  std::erase_if(all, [](const SceneContent& content) { return content.names.empty(); });
+  return all;
+}
+
+}  // namespace craze

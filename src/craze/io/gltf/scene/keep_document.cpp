@@ -1,0 +1,132 @@
+// Format: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.6.1 and 3.8.
+#include <fmt/format.h>
+
+#include "craze/error.h"
+#include "craze/io/bytes/input_error.h"
+#include "craze/io/gltf/scene/gltf_document.h"
+#include "craze/io/image/picture_type.h"
+
+namespace craze {
+
+namespace {
+
+/// What any element of a buffer may be aligned to.
+constexpr std::size_t alignment = 16;
+
+void pad(std::string& bytes) {
+  bytes.resize((bytes.size() + alignment - 1) / alignment * alignment, '\0');
+}
+
+/// "clay" for "textures/clay.png".
+std::string stem(const std::string& uri) {
+  const std::size_t slash = uri.find_last_of('/');
+  const std::string name = slash == std::string::npos ? uri : uri.substr(slash + 1);
+  return name.substr(0, name.find_last_of('.'));
+}
+
+/// Moves all that the document refers to into one buffer.
+class Gatherer {
+ public:
+  Gatherer(Json& root, GltfAccessors& accessors, const MeshSource& source)
+      : root_(root), accessors_(accessors), source_(source), json_(source.name) {}
+
+  std::string run() {
+    std::vector<std::size_t> begins;
+    for (std::size_t b = 0; b < json_.array(root_, "buffers").size(); ++b) {
+      pad(bin_);
+      begins.push_back(bin_.size());
+      bin_ += accessors_.buffer(b);
+    }
+    for (std::size_t v = 0; v < json_.array(root_, "bufferViews").size(); ++v) move_view(v, begins);
+    for (std::size_t i = 0; i < json_.array(root_, "images").size(); ++i) move_picture(i);
+    if (bin_.empty()) return bin_;
+    // What one buffer says of itself stays; of several nothing can.
+    Json buffer = begins.size() == 1 ? root_["buffers"][0] : Json::object();
+    buffer.erase("uri");
+    buffer["byteLength"] = bin_.size();
+    root_["buffers"] = Json::array({std::move(buffer)});
+    return std::move(bin_);
+  }
+
+ private:
+  void move_view(std::size_t v, const std::vector<std::size_t>& begins) {
+    json_.item(root_, "bufferViews", v);
+    Json& view = root_["bufferViews"][v];
+    const auto buffer = json_.index(view, "buffer");
+    if (!buffer || *buffer >= begins.size()) json_.fail("a bufferView has no buffer");
+    const std::size_t offset = json_.index_or(view, "byteOffset", 0) + begins[*buffer];
+    view["buffer"] = 0;
+    if (offset > 0) view["byteOffset"] = offset;
+    // The plain bytes stand beside the compressed ones, or the file would have been refused.
+    for (const char* meshopt : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+      if (!json_.extension(view, meshopt)) continue;
+      view["extensions"].erase(meshopt);
+      if (view["extensions"].empty()) view.erase("extensions");
+    }
+  }
+
+  void move_picture(std::size_t i) {
+    json_.item(root_, "images", i);
+    Json& image = root_["images"][i];
+    const std::string uri = json_.text(image, "uri");
+    if (uri.empty()) return;
+    const bool inside = uri.starts_with("data:");
+    std::string_view bytes;
+    try {
+      bytes = accessors_.source(uri);
+    } catch (const Error&) {
+      source_.warn(
+          fmt::format("picture '{}' cannot be brought; it stays named, not held", printable(uri)));
+      return;
+    }
+    std::string type = picture_type(bytes);
+    if (type.empty() && inside) type = uri.substr(5, uri.find_first_of(";,") - 5);
+    if (type.empty()) return;
+    pad(bin_);
+    image.erase("uri");
+    image["mimeType"] = type;
+    image["bufferView"] = json_.array(root_, "bufferViews").size();
+    if (!inside && !image.contains("name")) image["name"] = stem(uri);
+    root_["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", bin_.size()}, {"byteLength", bytes.size()}});
+    bin_ += bytes;
+  }
+
+  Json& root_;
+  GltfAccessors& accessors_;
+  const MeshSource& source_;
+  GltfJson json_;
+  std::string bin_;
+};
+
+/// A file without nodes shows nothing elsewhere; here it shows each mesh.
+void give_nodes(Json& root) {
+  if (root.contains("nodes")) return;
+  Json nodes = Json::array(), all = Json::array();
+  for (std::size_t m = 0; m < root["meshes"].size(); ++m) {
+    nodes.push_back({{"mesh", m}});
+    all.push_back(m);
+  }
+  root["nodes"] = std::move(nodes);
+  root["scenes"] = Json::array({{{"nodes", std::move(all)}}});
+  root["scene"] = 0;
+}
+
+}  // namespace
+
+std::shared_ptr<const GltfDocument> keep_document(Json root, GltfAccessors& accessors,
+                                                  std::vector<GltfPart> parts,
+                                                  const SurfaceMesh& mesh,
+                                                  const MeshSource& source) {
+  try {
+    std::string bin = Gatherer(root, accessors, source).run();
+    give_nodes(root);
+    return std::make_shared<const GltfDocument>(std::move(root), std::move(bin), std::move(parts),
+                                                mesh);
+  } catch (const Error& error) {
+    source.warn(fmt::format("the scene is not kept, only its surface: {}", error.what()));
+    return nullptr;
+  }
+}
+
+}  // namespace craze

@@ -1,0 +1,35 @@
+#include "craze/io/usd/usd_text.h"
+
+namespace craze {
+
+std::string UsdNames::take(std::string_view name) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string identifier;
+  for (const char c : name) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    identifier += is_letter || is_digit(c) ? c : '_';
+  }
+  if (identifier.empty() || is_digit(identifier[0])) identifier.insert(0, 1, '_');
+  std::string free = identifier;
+  for (int n = 1; !taken_.insert(free).second; ++n) free = fmt::format("{}_{}", identifier, n);
+  return free;
+}
+
+std::string usd_string(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return quoted + '"';
+}
+
+std::string usd_asset(std::string_view path) {
+  std::string asset = "@";
+  for (const char c : path) {
+    if (c != '@' && static_cast<unsigned char>(c) >= 0x20) asset += c;
+  }
+  return asset + '@';
+}
+
+}  // namespace craze

@@ -1,0 +1,109 @@
+// Format: Pixar, "OpenUSD: Universal Scene Description", the crate-free text form.
+#include <cmath>
+
+#include "craze/io/polygons/float_grid.h"
+#include "craze/io/polygons/polygon_soup.h"
+#include "craze/io/usd/usd.h"
+#include "craze/io/usd/usd_mesh.h"
+#include "craze/mesh/mesh_parts.h"
+
+namespace craze {
+
+namespace {
+
+constexpr double codes_per_second = 24;
+/// Seconds that the clip waits before and after, as in GLB.
+constexpr double wait_before = 0.25, wait_after = 1;
+
+class UsdWriter {
+ public:
+  UsdWriter(const SurfaceMesh& mesh, const MeshFileOptions& options, const Context& context)
+      : mesh_(mesh), options_(options), context_(context), materials_(mesh, options) {}
+
+  std::string write() {
+    names_.take("Materials");
+    std::string meshes;
+    const std::vector<MorphStage> none;
+    if (options_.objects.empty()) {
+      meshes = usd_mesh(names_.take("surface"), mesh_, far_origin(mesh_),
+                        options_.animation ? options_.animation->stages : none, clip(), materials_,
+                        context_);
+    } else {
+      meshes = parts();
+    }
+    return header() + "def Xform \"craze\"\n{\n" + meshes + materials_.text() + "}\n";
+  }
+
+ private:
+  UsdClip clip() const {
+    if (!options_.animation) return {};
+    const auto stages = static_cast<double>(options_.animation->stages.size());
+    return {wait_before * codes_per_second,
+            options_.animation->seconds * codes_per_second / std::max(stages, 1.0)};
+  }
+
+  std::string header() const {
+    const UpAxis up = options_.up;
+    double unit = mesh_.metres_per_unit > 0 ? mesh_.metres_per_unit : options_.metres_per_unit;
+    if (!(unit > 0)) unit = 1;
+    std::string text = fmt::format(
+        "#usda 1.0\n(\n    defaultPrim = \"craze\"\n    doc = \"craze\"\n    metersPerUnit = {}\n"
+        "    upAxis = \"{}\"\n",
+        unit, up == UpAxis::z ? 'Z' : 'Y');
+    if (options_.animation) {
+      const double seconds = wait_before + options_.animation->seconds + wait_after;
+      text +=
+          fmt::format("    startTimeCode = 0\n    endTimeCode = {}\n    timeCodesPerSecond = {}\n",
+                      std::ceil(seconds * codes_per_second), codes_per_second);
+    }
+    return text + ")\n\n";
+  }
+
+  /// Each about its own middle. What meets still meets: places and points lie on one grid.
+  std::string parts() {
+    const Vec3 far = far_origin(mesh_);
+    SurfaceMesh near = mesh_;
+    for (Vec3& p : near.positions) p -= far;
+    const double grid = float_grid(near);
+    std::string text;
+    for (const MeshPart& part : mesh_parts(near, options_.objects)) {
+      ExtractedPart own = extract_part(near, part.faces);
+      const Vec3 origin = on_grid(centroid(own.mesh), grid) + far;
+      for (Vec3& p : own.mesh.positions) p = on_grid(p, grid) + far;
+      const std::vector<MorphStage> stages = options_.animation
+                                                 ? stages_of(*options_.animation, own.vertices)
+                                                 : std::vector<MorphStage>{};
+      text +=
+          usd_mesh(names_.take(part.name), own.mesh, origin, stages, clip(), materials_, context_);
+    }
+    return text;
+  }
+
+  const SurfaceMesh& mesh_;
+  const MeshFileOptions& options_;
+  const Context& context_;
+  UsdMaterials materials_;
+  UsdNames names_;
+};
+
+void warn_of_textures(const MeshFileOptions& options) {
+  if (!options.looks || !options.warn) return;
+  for (const MaterialLook& look : *options.looks) {
+    if (!look.texture) continue;
+    options.warn("textures inside the input are not in the USDA: it can only name files");
+    return;
+  }
+}
+
+}  // namespace
+
+std::string format_usda(const SurfaceMesh& mesh, const MeshFileOptions& options,
+                        const Context& context) {
+  warn_of_textures(options);
+  if (mesh.corner_normals.empty()) return UsdWriter(mesh, options, context).write();
+  SurfaceMesh unit = mesh;
+  normalize_corner_normals(unit);
+  return UsdWriter(unit, options, context).write();
+}
+
+}  // namespace craze

@@ -1,0 +1,32 @@
+// What pictures show of a file's own materials.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "craze/context.h"
+#include "craze/read_mesh.h"
+#include "craze/render/look.h"
+
+namespace craze {
+
+/// How the materials of a run's input look.
+struct MaterialLooks {
+  std::vector<MaterialLook> of_file;  ///< as it says
+  std::vector<render::Look> shown;    ///< of it, what pictures show; empty: their own material
+};
+
+/// The looks with the texture files as seen from the folder of `output`, named from `input`'s.
+std::vector<MaterialLook> looks_from(const std::vector<MaterialLook>& looks,
+                                     const std::string& input, const std::string& output);
+
+/// The looks of a file with their textures decoded, each once; files that it names are looked for
+/// beside `input`. None where no material has a texture or is other than grey: then a picture's
+/// material says more. Warns of each texture that cannot be shown, which leaves the factor alone.
+/// Throws Cancelled.
+std::vector<render::Look> material_looks(const std::vector<MaterialLook>& looks,
+                                         const std::string& input,
+                                         std::vector<std::string>& warnings,
+                                         const Context& context);
+
+}  // namespace craze

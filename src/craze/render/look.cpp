@@ -1,0 +1,58 @@
+#include "craze/render/look.h"
+
+#include <cmath>
+
+namespace craze::render {
+
+namespace {
+
+/// The two pixels around coordinate s of an axis that repeats, and the weight of the second.
+struct Neighbours {
+  std::int32_t first, second;
+  float weight;
+};
+
+Neighbours neighbours(float s, std::int32_t n) {
+  if (!std::isfinite(s)) s = 0;
+  const float x = (s - std::floor(s)) * static_cast<float>(n) - 0.5f, low = std::floor(x);
+  const auto i = static_cast<std::int32_t>(low);
+  return {(i + n) % n, (i + 1) % n, x - low};
+}
+
+}  // namespace
+
+ColorTexture::ColorTexture(const craze::Image& image) : width_(image.width), height_(image.height) {
+  const auto byte = [&](std::int32_t x, std::int32_t y, int c) {
+    const double value = std::clamp(image.value(x, y, c), 0.0, 1.0);
+    return static_cast<std::uint8_t>(std::lround(255 * value));
+  };
+  pixels_.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  const bool grey = image.channels < 3;
+  for (std::int32_t y = 0; y < height_; ++y) {
+    for (std::int32_t x = 0; x < width_; ++x) {
+      pixels_.push_back({byte(x, y, 0), byte(x, y, grey ? 0 : 1), byte(x, y, grey ? 0 : 2)});
+    }
+  }
+  for (int i = 0; i < 256; ++i) linear_[i] = srgb_to_linear(static_cast<float>(i) / 255.0f);
+}
+
+Rgb ColorTexture::pixel(std::int32_t x, std::int32_t y) const {
+  const auto& p = pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                          static_cast<std::size_t>(x)];
+  return {linear_[p[0]], linear_[p[1]], linear_[p[2]]};
+}
+
+Rgb ColorTexture::sample(const Eigen::Vector2f& uv) const {
+  const Neighbours c = neighbours(uv.x(), width_), r = neighbours(1 - uv.y(), height_);
+  const auto row = [&](std::int32_t y) -> Rgb {
+    return (1 - c.weight) * pixel(c.first, y) + c.weight * pixel(c.second, y);
+  };
+  return (1 - r.weight) * row(r.first) + r.weight * row(r.second);
+}
+
+Rgb Look::at(const Eigen::Vector2f& uv) const {
+  if (!texture) return color;
+  return color * texture->sample(place * Eigen::Vector3f(uv.x(), uv.y(), 1));
+}
+
+}  // namespace craze::render

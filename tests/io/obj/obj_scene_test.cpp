@@ -1,0 +1,120 @@
+// What an OBJ file refers to, kept through being written again.
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "craze/io/bytes/byte_order.h"
+#include "craze/io/obj/mtl.h"
+#include "craze/write_mesh.h"
+#include "io/io_test_tools.h"
+
+namespace craze {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* library =
+    "newmtl clay\nKd 1 0.5 0.25\nd 0.5\nmap_Kd -s 2 2 2 -mm 0 1 tex/clay one.png\n"
+    "bump tex/bump.png\nnewmtl plain\nillum 2\n";
+constexpr const char* cup =
+    "mtllib cup.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\no cup\ng rim\nusemtl clay\nf 1 2 3\n"
+    "g foot\nusemtl plain\nf 1 3 2\n";
+constexpr const char* picture = "\x89PNG and so on";
+
+void write(const fs::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::string read_text(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// A folder "in" with the cup, its library and its pictures, and an empty folder "out".
+struct Shelf {
+  TemporaryFolder folder;
+  fs::path in, out;
+
+  Shelf() : in(folder.path() / "in"), out(folder.path() / "out") {
+    fs::create_directories(in / "tex");
+    fs::create_directories(out);
+    write(in / "cup.obj", cup);
+    write(in / "cup.mtl", library);
+    write(in / "tex" / "clay one.png", picture);
+  }
+  MeshFile read() const { return read_mesh_file(in / "cup.obj"); }
+};
+
+TEST(Mtl, ColourOpacityAndPictureAreUnderstood) {
+  const auto materials = parse_mtl(library);
+  ASSERT_EQ(materials.size(), 2u);
+  EXPECT_EQ(materials[0].name, "clay");
+  EXPECT_EQ(materials[0].color, (std::array{1.0, 0.5, 0.25}));
+  EXPECT_EQ(materials[0].opacity, 0.5);
+  EXPECT_EQ(materials[0].color_picture, "tex/clay one.png");
+  EXPECT_EQ(materials[1].color_picture, "");
+}
+
+TEST(ObjScene, ObjectsGroupsAndTheLibraryAreWrittenAgain) {
+  const Shelf shelf;
+  const MeshFile file = shelf.read();
+  EXPECT_TRUE(file.warnings.empty());
+  write_mesh(shelf.in / "cracked.obj", file.mesh, {.scene = file.scene});
+  const std::string text = read_text(shelf.in / "cracked.obj");
+  EXPECT_TRUE(holds(text, "mtllib cup.mtl\n")) << "still in reach";
+  EXPECT_FALSE(fs::exists(shelf.in / "cracked.mtl"));
+  EXPECT_TRUE(holds(text, "o cup\ng rim\nusemtl clay\n"));
+  EXPECT_TRUE(holds(text, "o cup\ng foot\nusemtl plain\n"));
+}
+
+TEST(ObjScene, ElsewhereALibraryLiesBesideTheMeshAndFindsItsPictures) {
+  const Shelf shelf;
+  const MeshFile file = shelf.read();
+  write_mesh(shelf.out / "cracked.obj", file.mesh, {.scene = file.scene});
+  EXPECT_TRUE(holds(read_text(shelf.out / "cracked.obj"), "mtllib cracked.mtl\n"));
+  const std::string text = read_text(shelf.out / "cracked.mtl");
+  EXPECT_TRUE(holds(text, "illum 2\n")) << "what is not understood is kept";
+  EXPECT_TRUE(holds(text, "bump ../in/tex/bump.png\n"));
+  const std::string moved = parse_mtl(text)[0].color_picture;
+  EXPECT_EQ(read_text(shelf.out / moved), picture);
+}
+
+TEST(ObjScene, WallsJoinTheLibraryAndTheFilesOwnIsNeverOverwritten) {
+  const Shelf shelf;
+  MeshFile file = shelf.read();
+  file.mesh.material_names.emplace_back("crack_wall");
+  file.mesh.face_materials[1] = 2;
+  write_mesh(shelf.in / "cup.obj", file.mesh, {.scene = file.scene});
+  EXPECT_EQ(read_text(shelf.in / "cup.mtl"), library);
+  EXPECT_TRUE(holds(read_text(shelf.in / "cup.obj"), "mtllib cup_cracks.mtl\n"));
+  EXPECT_TRUE(holds(read_text(shelf.in / "cup_cracks.mtl"), "newmtl crack_wall\n"));
+}
+
+TEST(ObjScene, AGlbHasTheColoursAndPicturesOfTheLibrary) {
+  const Shelf shelf;
+  const MeshFile file = shelf.read();
+  const std::string glb = format_mesh(file.mesh, "glb", {.scene = file.scene});
+  const auto json = nlohmann::json::parse(glb.substr(20, load<std::uint32_t>(glb.data() + 12)));
+  const auto& material = json["materials"][0]["pbrMetallicRoughness"];
+  EXPECT_EQ(json["materials"][0]["name"], "clay");
+  EXPECT_EQ(material["baseColorFactor"], nlohmann::json({1.0, 0.5, 0.25, 0.5}));
+  const auto& image = json["images"][json["textures"][0]["source"].get<std::size_t>()];
+  const auto& view = json["bufferViews"][image["bufferView"].get<std::size_t>()];
+  EXPECT_TRUE(holds(glb, std::string(picture)));
+  EXPECT_EQ(view["byteLength"], std::string(picture).size());
+}
+
+TEST(ObjScene, ALibraryThatIsNotThereIsNamed) {
+  const MeshFile file = read_mesh(cup, "cup.obj");
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_TRUE(holds(file.warnings[0], "cup.mtl"));
+  EXPECT_EQ(file.mesh.material_names, (std::vector<std::string>{"clay", "plain"}));
+}
+
+}  // namespace
+}  // namespace craze

@@ -1,0 +1,207 @@
+#include "craze/io/usd/usd.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "craze/mesh/morph_animation.h"
+#include "craze/shapes.h"
+#include "io/io_test_tools.h"
+#include "io/usd/usda_parser.h"
+
+namespace craze {
+namespace {
+
+using test::parse_usda;
+using test::UsdPrim;
+
+/// Two triangles with everything that a mesh can have.
+SurfaceMesh rich() {
+  SurfaceMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.25}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  mesh.corner_uvs = {{0, 0}, {1, 0}, {1, 1}, {0.5, 0}, {1, 1}, {0, 1}};
+  mesh.corner_normals.assign(6, Vec3(0, 0, 1));
+  mesh.vertex_colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 0.5f}};
+  mesh.material_names = {"two words", "2nd \"quoted\"", "crack_wall"};
+  mesh.face_materials = {0, 2};
+  mesh.vertex_attributes = {{"crack distance", 1, {0.5, 1, 2, 3}},
+                            {"pull", 3, std::vector<double>(12, 0.25)}};
+  mesh.face_attributes = {{"fragment", 1, {7, 8}}};
+  return mesh;
+}
+
+const UsdPrim& surface(const UsdPrim& root) {
+  return root.at("craze").at("surface");
+}
+
+TEST(Usda, HoldsTheTrianglesAndTheirPoints) {
+  const SurfaceMesh mesh = rich();
+  const UsdPrim root = parse_usda(format_usda(mesh));
+  EXPECT_EQ(root.metadata.at("defaultPrim"), "\"craze\"");
+  EXPECT_EQ(root.metadata.at("metersPerUnit"), "1");
+  EXPECT_EQ(root.metadata.at("upAxis"), "\"Y\"");
+  const UsdPrim& prim = surface(root);
+  EXPECT_EQ(prim.type, "Mesh");
+  EXPECT_EQ(prim.values.at("subdivisionScheme"), "\"none\"");
+  EXPECT_EQ(prim.numbers("faceVertexCounts"), (std::vector<double>{3, 3}));
+  EXPECT_EQ(prim.numbers("faceVertexIndices"), (std::vector<double>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(prim.numbers("points"), (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0.25, 0, 1, 0}));
+  EXPECT_EQ(prim.numbers("extent"), (std::vector<double>{0, 0, 0, 1, 1, 0.25}));
+}
+
+TEST(Usda, CornersFindTheirUvsAndNormals) {
+  const SurfaceMesh mesh = rich();
+  const UsdPrim root = parse_usda(format_usda(mesh));
+  const UsdPrim& prim = surface(root);
+  const auto st = prim.numbers("primvars:st"), indices = prim.numbers("primvars:st:indices");
+  ASSERT_EQ(indices.size(), 6u);
+  for (std::size_t c = 0; c < 6; ++c) {
+    const auto i = static_cast<std::size_t>(indices[c]);
+    EXPECT_EQ(Vec2(st.at(2 * i), st.at(2 * i + 1)), mesh.corner_uvs[c]);
+  }
+  EXPECT_EQ(prim.interpolation.at("primvars:st"), "\"faceVarying\"");
+  EXPECT_EQ(prim.types.at("primvars:st"), "texCoord2f[]");
+  EXPECT_EQ(prim.numbers("primvars:normals:indices").size(), 6u);
+}
+
+TEST(Usda, ColorsAndAttributesArePrimvars) {
+  const UsdPrim root = parse_usda(format_usda(rich()));
+  const UsdPrim& prim = surface(root);
+  EXPECT_EQ(prim.numbers("primvars:displayColor").size(), 12u);
+  EXPECT_EQ(prim.numbers("primvars:displayOpacity")[3], 0.5);
+  EXPECT_EQ(prim.numbers("primvars:crack_distance"), (std::vector<double>{0.5, 1, 2, 3}));
+  EXPECT_EQ(prim.types.at("primvars:pull"), "float3[]");
+  EXPECT_EQ(prim.numbers("primvars:fragment"), (std::vector<double>{7, 8}));
+  EXPECT_EQ(prim.types.at("primvars:fragment"), "int[]");
+  EXPECT_EQ(prim.interpolation.at("primvars:fragment"), "\"uniform\"");
+}
+
+TEST(Usda, MaterialsAreBoundToTheFacesThatHaveThem) {
+  std::vector<MaterialLook> looks(3);
+  looks[0].base_color = {0.5f, 0.25f, 0.125f, 1};
+  looks[0].texture_file = "maps/brick wall.png";
+  MeshFileOptions options;
+  options.looks = &looks;
+  SurfaceMesh mesh = rich();
+  const UsdPrim root = parse_usda(format_usda(mesh, options));
+  const UsdPrim& scope = root.at("craze").at("Materials");
+  ASSERT_EQ(scope.children.size(), 2u) << "one of the three is not used";
+  const UsdPrim& brick = scope.at("two_words");
+  EXPECT_EQ(brick.metadata.at("displayName"), "\"two words\"");
+  EXPECT_EQ(brick.values.at("outputs:surface.connect"),
+            "</craze/Materials/two_words/Surface.outputs:surface>");
+  EXPECT_EQ(brick.at("Surface").values.at("inputs:diffuseColor.connect"),
+            "</craze/Materials/two_words/Texture.outputs:rgb>");
+  EXPECT_EQ(brick.at("Texture").values.at("inputs:file"), "@maps/brick wall.png@");
+  EXPECT_EQ(brick.at("Texture").numbers("inputs:scale"),
+            (std::vector<double>{0.5, 0.25, 0.125, 1}));
+  EXPECT_EQ(brick.at("Uv").values.at("inputs:varname"), "\"st\"");
+  EXPECT_EQ(surface(root).at("two_words").numbers("indices"), std::vector<double>{0});
+  EXPECT_EQ(surface(root).at("crack_wall").numbers("indices"), std::vector<double>{1});
+  EXPECT_EQ(surface(root).at("crack_wall").values.at("material:binding"),
+            "</craze/Materials/crack_wall>");
+
+  mesh.face_materials = {1, 1};
+  const UsdPrim one = parse_usda(format_usda(mesh));
+  EXPECT_EQ(surface(one).values.at("material:binding"), "</craze/Materials/_2nd__quoted_>");
+  EXPECT_EQ(one.at("craze").at("Materials").at("_2nd__quoted_").metadata.at("displayName"),
+            R"("2nd \"quoted\"")");
+}
+
+TEST(Usda, NamesAreUnique) {
+  SurfaceMesh mesh = rich();
+  mesh.material_names = {"a b", "a-b", "crack_wall"};
+  mesh.face_materials = {0, 1};
+  mesh.vertex_attributes[1].name = "crack-distance";
+  const UsdPrim root = parse_usda(format_usda(mesh));  // the parser refuses doubles
+  EXPECT_EQ(root.at("craze").at("Materials").at("a_b_1").metadata.at("displayName"), "\"a-b\"");
+  EXPECT_EQ(surface(root).numbers("primvars:crack_distance_1").size(), 12u);
+}
+
+TEST(Usda, FarFromTheOriginDigitsAreKept) {
+  SurfaceMesh cube = make_shape("cube?n=8");
+  const SurfaceMesh near = cube;
+  const Vec3 far(431250.5, 5412375.25, 90);
+  for (Vec3& p : cube.positions) p += far;
+  const UsdPrim root = parse_usda(format_usda(cube));
+  const auto place = surface(root).numbers("xformOp:translate");
+  const auto points = surface(root).numbers("points");
+  EXPECT_EQ(surface(root).types.at("xformOp:translate"), "double3");
+  for (std::size_t v = 0; v < cube.positions.size(); ++v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float local = static_cast<float>(points[3 * v + k]);
+      EXPECT_NEAR(place[k] + local, cube.positions[v][static_cast<Eigen::Index>(k)], 1e-6);
+    }
+  }
+  const UsdPrim at_home = parse_usda(format_usda(near));
+  EXPECT_FALSE(surface(at_home).values.count("xformOp:translate"));
+}
+
+TEST(Usda, ObjectsHaveAPlaceEachAndStillMeet) {
+  SurfaceMesh mesh = rich();
+  for (Vec3& p : mesh.positions) p = p / 3 + Vec3(0.1, 0.7, 11);
+  MeshFileOptions options;
+  options.objects = "fragment";
+  const UsdPrim root = parse_usda(format_usda(mesh, options));
+  ASSERT_EQ(root.at("craze").children.size(), 3u);
+  const auto corner = [&](const char* name, std::size_t v) {
+    const UsdPrim& prim = root.at("craze").at(name);
+    const auto place = prim.numbers("xformOp:translate"), points = prim.numbers("points");
+    Vec3 p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[static_cast<Eigen::Index>(k)] = place[k] + static_cast<float>(points[3 * v + k]);
+    }
+    return p;
+  };
+  EXPECT_EQ(corner("fragment_7", 0), corner("fragment_8", 0));
+  EXPECT_EQ(corner("fragment_7", 2), corner("fragment_8", 1));
+  EXPECT_LT((corner("fragment_7", 1) - mesh.positions[1]).norm(), 1e-5);
+}
+
+TEST(Usda, AnAnimationIsTimeSamplesThatEndAtThePoints) {
+  MorphAnimation animation;
+  animation.seconds = 2;
+  animation.stages = {{{1, 2}, {Vec3(0.5, 0, 0), Vec3(0, 0, 0.25)}}, {{1}, {Vec3(0, 0.5, 0)}}};
+  MeshFileOptions options;
+  options.animation = &animation;
+  const UsdPrim root = parse_usda(format_usda(rich(), options));
+  EXPECT_EQ(root.metadata.at("timeCodesPerSecond"), "24");
+  EXPECT_EQ(root.metadata.at("endTimeCode"), "78");
+  // A key, then twelve numbers; three times.
+  const auto samples = surface(root).numbers("points.timeSamples");
+  ASSERT_EQ(samples.size(), 39u);
+  EXPECT_EQ((std::vector<double>{samples[0], samples[13], samples[26]}),
+            (std::vector<double>{6, 30, 54}));
+  const auto vertex = [&](std::size_t key, std::size_t v) {
+    const double* p = &samples[13 * key + 1 + 3 * v];
+    return Vec3(p[0], p[1], p[2]);
+  };
+  EXPECT_EQ(vertex(0, 1), Vec3(0.5, -0.5, 0));
+  EXPECT_EQ(vertex(1, 1), Vec3(1, -0.5, 0));
+  EXPECT_EQ(vertex(2, 1), Vec3(1, 0, 0));
+  EXPECT_EQ(vertex(0, 2), Vec3(1, 1, 0));
+  const auto points = surface(root).numbers("points");
+  EXPECT_TRUE(std::equal(points.begin(), points.end(), samples.begin() + 27));
+  EXPECT_EQ(surface(root).numbers("extent")[1], -0.5) << "of the whole clip";
+}
+
+TEST(Usda, ACoordinateBeyondSinglePrecisionIsRefused) {
+  SurfaceMesh mesh = rich();
+  mesh.positions[0].x() = 1e300;
+  message_of([&] { format_usda(mesh); }, ErrorKind::request);
+}
+
+TEST(Usda, GoesByItsExtensionAndIsNotRead) {
+  MeshFileOptions options;
+  options.up = UpAxis::z;
+  options.metres_per_unit = 0.001;
+  const std::string text = format_mesh(rich(), "usda", options);
+  const UsdPrim root = parse_usda(text);
+  EXPECT_EQ(root.metadata.at("upAxis"), "\"Z\"");
+  EXPECT_EQ(root.metadata.at("metersPerUnit"), "0.001");
+  message_of([&] { read_mesh(text, "a.usda"); }, ErrorKind::input);
+}
+
+}  // namespace
+}  // namespace craze

@@ -1,0 +1,72 @@
+#include "craze/job/material_looks.h"
+
+#include <gtest/gtest.h>
+
+#include "craze/render/png.h"
+#include "temporary_folder.h"
+
+namespace craze {
+namespace {
+
+/// A PNG of one colour.
+void write_color(const std::filesystem::path& path, std::uint8_t r, std::uint8_t g,
+                 std::uint8_t b) {
+  render::write_png(path.string(), {1, 1, {r, g, b}});
+}
+
+std::vector<render::Look> shown(const std::vector<MaterialLook>& looks, const std::string& input,
+                                std::vector<std::string>& said) {
+  return material_looks(looks, input, said, {});
+}
+
+TEST(MaterialLooks, TexturesAreFoundBesideTheInput) {
+  const TemporaryFolder folder;
+  write_color(folder / "red.png", 255, 0, 0);
+  MaterialLook look;
+  look.texture_file = "red.png";
+  std::vector<std::string> said;
+  const auto looks = shown({look, look}, (folder / "a.ply").string(), said);
+  ASSERT_EQ(looks.size(), 2u);
+  EXPECT_EQ(looks[0].texture, looks[1].texture) << "decoded once";
+  EXPECT_LT((looks[0].at({0, 0}) - render::Rgb(1, 0, 0)).abs().maxCoeff(), 1e-6);
+  EXPECT_TRUE(said.empty());
+}
+
+TEST(MaterialLooks, WhatCannotBeShownIsSaidOnce) {
+  const TemporaryFolder folder;
+  MaterialLook missing;
+  missing.texture_file = "missing.png";
+  MaterialLook broken;
+  broken.texture = std::make_shared<const std::string>("no picture");
+  broken.base_color = {0.5f, 0.25f, 0, 1};
+  std::vector<std::string> said;
+  const auto looks = shown({missing, missing, broken}, (folder / "a.glb").string(), said);
+  ASSERT_EQ(looks.size(), 3u);
+  EXPECT_EQ(said.size(), 2u);
+  EXPECT_FALSE(looks[2].texture);
+  EXPECT_EQ(looks[2].color[1], 0.25f);
+}
+
+TEST(MaterialLooks, GreyWithoutTexturesSaysNothing) {
+  MaterialLook grey;
+  grey.base_color = {0.8f, 0.8f, 0.8f, 1};
+  std::vector<std::string> said;
+  EXPECT_TRUE(shown({grey, {}}, "a.glb", said).empty());
+  MaterialLook red = grey;
+  red.base_color[0] = 1;
+  EXPECT_EQ(shown({grey, red}, "a.glb", said).size(), 2u);
+}
+
+TEST(MaterialLooks, FilesAreNamedFromTheOutput) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "in/maps");
+  std::filesystem::create_directories(folder / "out");
+  MaterialLook look;
+  look.texture_file = "maps/a.png";
+  const auto seen =
+      looks_from({look}, (folder / "in/a.gltf").string(), (folder / "out/b.usda").string());
+  EXPECT_EQ(seen[0].texture_file, "../in/maps/a.png");
+}
+
+}  // namespace
+}  // namespace craze
