@@ -26,7 +26,7 @@ TEST(Maps, DistanceIsThatToTheNearestCurveAtEveryTexel) {
 }
 
 TEST(Maps, MaskCoversWhatTheOpenCracksCover) {
-  const int parts = 16;
+  const int parts = 8;
   for (const int size : {40, 150}) {
     const MapSurface plate = plate_with(7, known_cracks());
     const Map mask = bake(plate, options_of(size, {MapKind::mask})).front();

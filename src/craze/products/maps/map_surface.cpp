@@ -59,7 +59,8 @@ MapSurface map_surface(const Result& result) {
   const SurfaceMesh with_uvs = plain_cut_surface(result);
   for (std::int32_t f = 0; f < cut.face_count(); ++f) {
     const auto corner = 3 * static_cast<std::size_t>(f);
-    maps.pieces.push_back({cut.source_face(f),
+    const std::int32_t face = state.asset ? state.asset->cut.face_source[f] : cut.source_face(f);
+    maps.pieces.push_back({face,
                            state.fragments.face[f],
                            {with_uvs.corner_uvs[corner], with_uvs.corner_uvs[corner + 1],
                             with_uvs.corner_uvs[corner + 2]}});
