@@ -20,8 +20,8 @@ struct MeshSource {
   const Context& context;              ///< readers report "load" and throw Cancelled
   std::vector<std::string>& warnings;  ///< one sentence for each kind of thing that was left out
   std::vector<std::string>& textures;  ///< pictures that the file names, in its own words
-  std::vector<MaterialLook>* looks;    ///< MeshFile::looks; null: not wanted
-  std::shared_ptr<const SourceScene>& scene;  ///< what else the file holds; may stay null
+  std::shared_ptr<const SourceScene>& scene;   ///< what else the file holds; may stay null
+  std::vector<MaterialLook>* looks = nullptr;  ///< MeshFile::looks; null: not wanted
 
   void warn(std::string sentence) const { warnings.push_back(std::move(sentence)); }
 };
