@@ -71,11 +71,17 @@ TEST(SeamsOfMaps, ShowOnePlaceFromBothSides) {
   EXPECT_LT(height, 0.3 * texel * slope);
 }
 
-TEST(SeamsOfMaps, AreTwoIslands) {
-  const UvIslands islands = uv_islands(plate_of_two_islands(4).surface);
-  const std::int32_t first = islands.of_face.front();
-  EXPECT_EQ(std::count(islands.of_face.begin(), islands.of_face.end(), first), 16);
-  EXPECT_NE(islands.of_face.back(), first);
+TEST(SeamsOfMaps, HaveTheFacesOnBothSidesAtTheBorder) {
+  const MapSurface maps = plate_of_two_islands(8);
+  const std::vector<std::uint8_t> at_border = faces_at_uv_border(maps.surface);
+  for (std::size_t f = 0; f < at_border.size(); ++f) {
+    bool wanted = false;
+    for (const std::int32_t v : maps.surface.triangles[f]) {
+      const Vec3& p = maps.surface.positions[v];
+      wanted |= p.x() == 0 || p.x() == 0.5 || p.x() == 1 || p.y() == 0 || p.y() == 1;
+    }
+    EXPECT_EQ(at_border[f] != 0, wanted) << f;
+  }
 }
 
 }  // namespace

@@ -97,8 +97,7 @@ class Band {
     const int y = first_ + r + dy - 1;
     if (x + dx >= 0 && x + dx < size_ && y >= 0 && y < size_) {
       const std::size_t i = index(r + dy, x + dx);
-      if (scene_.islands.of_face[texels_[i].face] == scene_.islands.of_face[texel.face])
-        return grooves_[i].height;
+      if (scene_.islands[texels_[i].face] == scene_.islands[texel.face]) return grooves_[i].height;
     }
     return scene_.grooves.mean(texel.face, texel.p + sides * Vec2(dx, dy), sides).height;
   }

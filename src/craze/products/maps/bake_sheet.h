@@ -19,7 +19,7 @@ struct BakeScene {
   const MapFaces& faces;
   const GrooveSizes& sizes;
   const GrooveSampler& grooves;
-  const UvIslands& islands;
+  const std::vector<std::int32_t>& islands;   ///< #F: uv_islands.h
   const std::vector<double>& base_curvature;  ///< #V, mean; empty: not asked for
   const MapOptions& options;
 };

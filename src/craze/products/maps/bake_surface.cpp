@@ -10,6 +10,7 @@
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/sources/curvature.h"
 #include "craze/products/maps/bake_sheet.h"
+#include "craze/products/uv_islands.h"
 
 namespace craze {
 
@@ -119,8 +120,9 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
   const UvLayout layout = uv_layout(maps, context);
   const MapFaces faces(maps.surface);
   const GrooveSizes sizes = groove_sizes(maps, options.post);
-  const UvIslands islands = uv_islands(maps.surface);
-  const GrooveSampler grooves(maps, faces, islands, sizes, options.size, context);
+  const std::vector<std::int32_t> islands = uv_islands(maps.surface);
+  const GrooveSampler grooves(maps, faces, faces_at_uv_border(maps.surface), sizes, options.size,
+                              context);
   std::vector<double> curvature;
   if (asks_for(options, MapKind::curvature)) curvature = mean_curvature(maps.surface, context);
   const Ranges ranges(maps, sizes, grooves.farthest(), curvature);

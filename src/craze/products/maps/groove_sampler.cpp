@@ -40,8 +40,8 @@ GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post) {
 }
 
 GrooveSampler::GrooveSampler(const MapSurface& maps, const MapFaces& faces,
-                             const UvIslands& islands, const GrooveSizes& sizes, int size,
-                             const Context& context)
+                             const std::vector<std::uint8_t>& at_border, const GrooveSizes& sizes,
+                             int size, const Context& context)
     : sizes_(sizes) {
   double total = 0;
   for (const MapCrack& crack : maps.cracks) total += (crack.b - crack.a).norm();
@@ -49,9 +49,8 @@ GrooveSampler::GrooveSampler(const MapSurface& maps, const MapFaces& faces,
   SightLimits limits;
   for (std::size_t f = 0; f < maps.surface.triangles.size(); ++f) {
     const double texel = faces.texel(static_cast<std::int32_t>(f), size);
-    limits.margin.push_back(islands.at_border[f]
-                                ? std::min(border_margin * texel, most_at_border * mean)
-                                : std::min(inside_margin * texel, most_inside * mean));
+    limits.margin.push_back(at_border[f] ? std::min(border_margin * texel, most_at_border * mean)
+                                         : std::min(inside_margin * texel, most_inside * mean));
   }
   for (const auto& [a, b] : sizes.half_width) limits.reach.push_back(std::max(a, b));
   SeenCracks seen = seen_cracks(maps, limits, context);

@@ -7,7 +7,6 @@
 #include "craze/context.h"
 #include "craze/products/maps/map_faces.h"
 #include "craze/products/maps/map_surface.h"
-#include "craze/products/maps/uv_layout.h"
 #include "craze/recipe.h"
 
 namespace craze {
@@ -43,11 +42,12 @@ inline constexpr double texels_followed = 2;
 
 class GrooveSampler {
  public:
-  /// For texels of maps of that size: means around points of a face, and at the border of an island
-  /// around those up to texels_followed + 1 outside. References must outlive this. Throws
+  /// For texels of maps of that size: means around points of a face, and where at_border (#F) is
+  /// set around those up to texels_followed + 1 outside. References must outlive this. Throws
   /// Cancelled.
-  GrooveSampler(const MapSurface& maps, const MapFaces& faces, const UvIslands& islands,
-                const GrooveSizes& sizes, int size, const Context& context);
+  GrooveSampler(const MapSurface& maps, const MapFaces& faces,
+                const std::vector<std::uint8_t>& at_border, const GrooveSizes& sizes, int size,
+                const Context& context);
 
   /// The crack next to p, the first of them where several are.
   NearestCrack nearest(std::int32_t face, const Vec2& p) const;

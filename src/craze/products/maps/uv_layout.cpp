@@ -164,35 +164,22 @@ UvLayout uv_layout(const MapSurface& maps, const Context& context) {
   return layout;
 }
 
-UvIslands uv_islands(const SurfaceMesh& surface) {
+std::vector<std::uint8_t> faces_at_uv_border(const SurfaceMesh& surface) {
   const TriangleMesh mesh(surface.positions, surface.triangles);
-  std::vector<std::int32_t> parent(surface.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t f) {
-    while (parent[f] != f) f = parent[f] = parent[parent[f]];
-    return f;
-  };
-  const auto continues = [&](std::int32_t h, std::int32_t o) {
+  const auto continues = [&](std::int32_t h) {
+    const std::int32_t o = mesh.opposite(h);
     return o >= 0 && surface.corner_uvs[h] == surface.corner_uvs[TriangleMesh::next(o)] &&
            surface.corner_uvs[TriangleMesh::next(h)] == surface.corner_uvs[o];
   };
   std::vector<std::uint8_t> is_border(surface.positions.size(), 0);
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
-    const std::int32_t o = mesh.opposite(h);
-    if (!continues(h, o)) {
-      is_border[mesh.from(h)] = is_border[mesh.to(h)] = 1;
-    } else if (h < o) {
-      const std::int32_t a = root(h / 3), b = root(o / 3);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    if (!continues(h)) is_border[mesh.from(h)] = is_border[mesh.to(h)] = 1;
   }
-  UvIslands islands;
-  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const Triangle& t = mesh.triangle(f);
-    islands.of_face.push_back(root(f));
-    islands.at_border.push_back(is_border[t[0]] | is_border[t[1]] | is_border[t[2]]);
+  std::vector<std::uint8_t> at_border;
+  for (const Triangle& t : surface.triangles) {
+    at_border.push_back(is_border[t[0]] | is_border[t[1]] | is_border[t[2]]);
   }
-  return islands;
+  return at_border;
 }
 
 }  // namespace craze

@@ -33,12 +33,7 @@ struct UvLayout {
 /// 0 … 1 otherwise repeat. Warns where UVs overlap within a set.
 UvLayout uv_layout(const MapSurface& maps, const Context& context);
 
-/// Faces that hang together by edges whose UVs agree.
-struct UvIslands {
-  std::vector<std::int32_t> of_face;    ///< #F
-  std::vector<std::uint8_t> at_border;  ///< #F, 1: a corner is on the border of an island
-};
-
-UvIslands uv_islands(const SurfaceMesh& surface);
+/// #F, 1: a corner of the face is on the border of an island of the UVs.
+std::vector<std::uint8_t> faces_at_uv_border(const SurfaceMesh& surface);
 
 }  // namespace craze
