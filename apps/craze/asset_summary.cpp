@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <string>
 
 namespace craze::app {
 
@@ -41,9 +42,7 @@ nlohmann::ordered_json names_json(const Names& names) {
 
 /// To two digits.
 double rounded(double x) {
-  if (!(x > 0)) return 0;
-  const double step = std::pow(10, std::floor(std::log10(x)) - 1);
-  return std::round(x / step) * step;
+  return std::stod(fmt::format("{:.1e}", x));
 }
 
 /// A spacing that shows a pattern all over: about that of the presets.

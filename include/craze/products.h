@@ -35,7 +35,7 @@ class Opening {
   /// The vertices and faces of cut_mesh() come first, in its order, then those of side walls, whose
   /// material is "crack_wall".
   const SurfaceMesh& mesh() const;
-  /// Where in the input each face of mesh() lies (mesh/surface_origin.h), as mesh.output = "asset"
+  /// Where in the input each face of mesh() lies (surface_origin.h), as mesh.output = "asset"
   /// keeps it; else empty.
   SurfaceOrigin origin() const;
   /// What could not be done as asked, a sentence each.

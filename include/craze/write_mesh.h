@@ -18,7 +18,7 @@ namespace craze {
 
 class SourceScene;      // read_mesh.h
 struct MorphAnimation;  // mesh/morph_animation.h
-struct SurfaceOrigin;   // mesh/surface_origin.h
+struct SurfaceOrigin;   // surface_origin.h
 
 /// What not every format can hold.
 struct MeshFileOptions {

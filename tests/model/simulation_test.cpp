@@ -64,7 +64,7 @@ TEST(Simulation, WithStrengthTheUnitOfLengthDoesNotMatterByEulerStepsEither) {
   for (Vec3& x : positions) x *= unit;
   const TriangleMesh small(std::move(positions), large.triangles());
   SimulationParameters q = p;
-  q.layer.screening_length *= unit;
+  q.layer.screening_length = unit * p.layer.screening_length;
   Simulation a(large, test::noisy_tension(large, 1), p, {}),
       b(small, test::noisy_tension(large, 1), q, {});
   EXPECT_EQ(a.run({}), b.run({}));

@@ -6,11 +6,11 @@
 
 #include "craze/engine/asset/carry_onto_asset.h"
 #include "craze/mesh/components.h"
-#include "craze/mesh/surface_origin.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/simulation.h"
 #include "craze/recipe.h"
 #include "craze/surface_mesh.h"
+#include "craze/surface_origin.h"
 
 namespace craze {
 

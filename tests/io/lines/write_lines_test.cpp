@@ -42,7 +42,8 @@ TEST(Lines, PlyKeepsEverythingToTheLastBit) {
   const FileLoader no_files;
   const Context context;
   std::vector<std::string> said;
-  const MeshSource source{bytes, name, no_files, context, said, said};
+  std::shared_ptr<const SourceScene> scene;
+  const MeshSource source{bytes, name, no_files, context, said, said, scene};
   PlyBody body(source, header);
   const auto points = body.read(header.elements[0]);
   const auto edges = body.read(header.elements[1]);

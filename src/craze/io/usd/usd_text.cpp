@@ -1,6 +1,30 @@
 #include "craze/io/usd/usd_text.h"
 
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <iterator>
+
 namespace craze {
+
+namespace {
+
+template <class Number>
+void append(std::string& out, Number number) {
+  fmt::format_to(std::back_inserter(out), FMT_COMPILE("{}"), number);
+}
+
+}  // namespace
+
+void append_usd_number(std::string& out, float number) {
+  append(out, number);
+}
+void append_usd_number(std::string& out, double number) {
+  append(out, number);
+}
+void append_usd_number(std::string& out, std::int32_t number) {
+  append(out, number);
+}
 
 std::string UsdNames::take(std::string_view name) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };

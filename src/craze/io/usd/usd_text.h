@@ -1,10 +1,8 @@
 // The words of USDA: identifiers, strings, arrays.
 #pragma once
 
-#include <fmt/compile.h>
-#include <fmt/format.h>
-
-#include <iterator>
+#include <cstddef>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
@@ -39,10 +37,9 @@ void append_usd_array(std::string& out, std::size_t count, Append append) {
 }
 
 /// Numbers that float and int hold, as short as they round-trip. USD reads inf and nan as well.
-template <class Number>
-void append_usd_number(std::string& out, Number number) {
-  fmt::format_to(std::back_inserter(out), FMT_COMPILE("{}"), number);
-}
+void append_usd_number(std::string& out, float number);
+void append_usd_number(std::string& out, double number);
+void append_usd_number(std::string& out, std::int32_t number);
 
 /// "(x, y, …)", or the number alone where there is one.
 template <class Number>

@@ -1,8 +1,8 @@
 // A repaired surface that knows where in the input each of its faces lies.
 #pragma once
 
-#include "craze/mesh/surface_origin.h"
 #include "craze/repair.h"
+#include "craze/surface_origin.h"
 
 namespace craze {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "craze/engine.h"
-#include "craze/mesh/surface_origin.h"
 #include "craze/products/opening/opened_surface.h"
+#include "craze/surface_origin.h"
 
 namespace craze {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "craze/io/bytes/byte_order.h"
-#include "craze/mesh/surface_origin.h"
 #include "craze/read_mesh.h"
+#include "craze/surface_origin.h"
 #include "craze/write_mesh.h"
 
 namespace craze {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "craze/tensor.h"
+
 namespace craze {
 
 namespace {
@@ -18,7 +20,7 @@ bool is_same_everywhere(const GltfElements& elements, const VertexBlend& blend) 
 }
 
 void make_unit(double* values) {
-  const double length = std::hypot(values[0], values[1], values[2]);
+  const double length = Eigen::Map<const Vec3>(values).norm();
   if (!(length > 0)) return;
   for (int k = 0; k < 3; ++k) values[k] /= length;
 }

@@ -6,8 +6,8 @@
 
 #include "craze/io/gltf/scene/cut_vertices.h"
 #include "craze/io/gltf/scene/gltf_document.h"
-#include "craze/mesh/surface_origin.h"
 #include "craze/surface_mesh.h"
+#include "craze/surface_origin.h"
 
 namespace craze {
 

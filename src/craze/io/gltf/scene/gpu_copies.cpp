@@ -2,9 +2,10 @@
 #include "craze/io/gltf/scene/gpu_copies.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
+
+#include "craze/base/elementary.h"
 
 namespace craze {
 
@@ -21,7 +22,8 @@ Json numbers(const GltfElements& elements, std::size_t i) {
 /// A quaternion of length 1, as a node's must be.
 Json unit(const Json& rotation) {
   double length = 0;
-  for (const Json& x : rotation) length = std::hypot(length, x.get<double>());
+  for (const Json& x : rotation) length = elementary::hypot(length, x.get<double>());
+  if (!(length > 0)) return {0, 0, 0, 1};
   Json result = Json::array();
   for (const Json& x : rotation) result.push_back(x.get<double>() / length);
   return result;

@@ -9,8 +9,9 @@
 namespace craze {
 
 /// Ties a mesh made from an input to that input, so that whoever writes it can keep what the input
-/// had. Faces below wall_begin lie in an input triangle each, and have its winding; together they
-/// cover the triangles that they name. Input triangles that no face names were left out of the run.
+/// had. Faces below wall_begin lie in an input triangle each, with its winding but where repair
+/// turned it round; together they cover the triangles that they name. Input triangles that no face
+/// names were left out of the run.
 struct SurfaceOrigin {
   /// #F: the input's triangle, as read and before any repair, that the face is a part of; for a
   /// side wall of a crack the input's triangle beside it.
