@@ -96,17 +96,19 @@ nlohmann::ordered_json parts_json(const std::vector<PartBox>& parts) {
   return list;
 }
 
-/// "2 animations: drive, wave".
+/// "animations in the file: 2 (drive, wave)".
 std::string contents_text(const std::vector<SceneContent>& contents) {
   constexpr std::size_t most_names = 8;
   std::string text;
   for (const auto& [kind, names] : contents) {
     std::string list;
     for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i) {
-      if (!names[i].empty()) list += (list.empty() ? ": " : ", ") + names[i];
+      if (!names[i].empty()) list += (list.empty() ? "" : ", ") + names[i];
     }
-    const bool more = names.size() > most_names && !list.empty();
-    text += fmt::format("{} {}{}{}\n", names.size(), kind, list, more ? ", ..." : "");
+    if (!list.empty()) {
+      list = fmt::format(" ({}{})", list, names.size() > most_names ? ", ..." : "");
+    }
+    text += fmt::format("{} in the file: {}{}\n", kind, names.size(), list);
   }
   return text;
 }
