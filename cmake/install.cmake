@@ -7,7 +7,11 @@ include(CMakePackageConfigHelpers)
 
 if(CRAZE_APP)
   install(TARGETS craze_app RUNTIME COMPONENT command)
-  install(FILES ${PROJECT_SOURCE_DIR}/docs/craze.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+  set(page docs/craze.1)
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
+  execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/${page}
+    OUTPUT_FILE ${PROJECT_BINARY_DIR}/craze.1.gz COMMAND_ERROR_IS_FATAL ANY)
+  install(FILES ${PROJECT_BINARY_DIR}/craze.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
     COMPONENT command)
 endif()
 

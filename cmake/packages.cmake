@@ -12,6 +12,15 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL command library devel python)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
+# It would come before the first line of each description.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
+
+# What Debian's tools know of a release; the changes themselves are in CHANGELOG.md.
+string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)  # heeds SOURCE_DATE_EPOCH
+file(WRITE ${PROJECT_BINARY_DIR}/packages/changelog
+  "craze (${PROJECT_VERSION}) unstable; urgency=medium\n\n  * Release ${PROJECT_VERSION}.\n\n"
+  " -- ${CPACK_PACKAGE_CONTACT}  ${date}\n")
+execute_process(COMMAND gzip -9nf ${PROJECT_BINARY_DIR}/packages/changelog COMMAND_ERROR_IS_FATAL ANY)
 
 # craze_package(COMPONENT NAME SECTION DEPENDS SUMMARY TEXT)
 macro(craze_package component name section depends summary text)
@@ -23,23 +32,28 @@ macro(craze_package component name section depends summary text)
   set(CPACK_COMPONENT_${upper}_DESCRIPTION "${summary}\n${text}")
   configure_file(${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_BINARY_DIR}/packages/${name}/copyright COPYONLY)
   install(FILES ${PROJECT_BINARY_DIR}/packages/${name}/copyright
+    ${PROJECT_BINARY_DIR}/packages/changelog.gz
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
 endmacro()
 
 set(text "Grows cracks as in mud, glaze, glass or paint on triangle meshes: a stress per\n\
- triangle is relaxed, and the surface cracks where it exceeds its strength.\n\
- The method is that of Iben and O'Brien, Generating Surface Crack Patterns.")
+triangle is relaxed, and the surface cracks where it exceeds its strength.\n\
+The method is that of Iben and O'Brien, Generating Surface Crack Patterns.")
 craze_package(command craze graphics "" "surface crack patterns on triangle meshes" "${text}")
 craze_package(library libcraze0 libs "" "surface crack patterns - shared library"
-  "${text}\n .\n This package has the library that programs link.")
+  "${text}\n.\nThis package has the library that programs link.")
 craze_package(devel libcraze-dev libdevel "libcraze0 (= ${PROJECT_VERSION}), libeigen3-dev"
   "surface crack patterns - development files"
-  "${text}\n .\n This package has the headers for C and C++, and the library for C++.")
+  "${text}\n.\nThis package has the headers for C and C++, and the library for C++.")
 craze_package(python python3-craze python "python3, python3-numpy"
   "surface crack patterns - Python package"
-  "${text}\n .\n This package has the Python package craze: arrays in, arrays out.")
+  "${text}\n.\nThis package has the Python package craze: arrays in, arrays out.")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+# What packages of programs that link it depend on, and what makes it found.
+file(WRITE ${PROJECT_BINARY_DIR}/packages/shlibs "libcraze 0 libcraze0 (>= ${PROJECT_VERSION})\n")
+file(WRITE ${PROJECT_BINARY_DIR}/packages/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/packages/shlibs
+  ${PROJECT_BINARY_DIR}/packages/triggers)
 include(CPack)

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 export LC_ALL=C.UTF-8 CTEST_OUTPUT_ON_FAILURE=1
 fuzz_seconds=${CRAZE_FUZZ_SECONDS:-10}  # per target
 
-all=(packages format release example bytes libcxx asan fuzz tsan tidy)
+all=(packages format release example long debs core bytes wasm libcxx asan fuzz tsan tidy)
 
 step_packages() { scripts/install-deps.sh --dev; }
 step_format() { git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run --Werror; }
@@ -18,8 +18,19 @@ step_release() {
 }
 # What the README says first.
 step_example() { scripts/readme_example.sh; }
+# All pairs of edge values and more random recipes; after "release".
+step_long() { ctest --preset long -LE wasm; }
+# The Debian packages, in a bare root; after "release".
+step_debs() { scripts/check_debs.sh; }
+# Without Embree, libpng, libjpeg and TBB: not a header of them is read.
+step_core() {
+  cmake --workflow --preset core
+  ! ninja -C build/core -t deps | grep -E '/(embree3|tbb|oneapi)/|/(png|jpeglib)\.h$'
+}
 # The same bytes from every compiler and instruction set; after "release".
 step_bytes() { scripts/compare_builds.sh; }
+# The same bytes from WebAssembly; after "release".
+step_wasm() { ctest --test-dir build/release -L wasm --output-on-failure; }
 step_libcxx() { scripts/check_libcxx.sh; }
 # All tests, with AddressSanitizer and UndefinedBehaviorSanitizer.
 step_asan() { cmake --workflow --preset asan; }

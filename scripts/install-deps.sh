@@ -18,6 +18,7 @@ development=(
   mypy valgrind                                      # types of the Python package, memory of the C interface
   libbenchmark-dev
   emscripten nodejs                                  # WebAssembly
+  lintian mmdebstrap                                 # Debian packages
 )
 
 case "${1:-}" in

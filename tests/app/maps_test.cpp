@@ -70,7 +70,7 @@ TEST_F(MapFiles, AreTheSameBytesOnAnyNumberOfThreads) {
 TEST_F(MapFiles, ThatCannotBeAreRefusedInOneLine) {
   expect_error({"crack", "shape:plate", "--maps", "m", "--map", "masc"}, 2, "mask");
   expect_error({"crack", "shape:plate", "--maps", "m", "--map-size", "9000"}, 2, "map-size");
-  expect_error({"bake", "shape:plate?n=4", "-o", "/proc/maps"}, 1, "cannot be written");
+  expect_error({"crack", "shape:plate?n=4", "--maps", "/proc/maps"}, 1, "cannot write maps");
 }
 
 TEST_F(MapFiles, OfAMeshWithoutUvsAreRefusedBeforeItCracks) {

@@ -170,10 +170,10 @@ class Command(Case):
                 sets = [word for key, value in settings.items()
                         for word in ("--set", f"{key}={value}")]
                 subprocess.run(
-                    [COMMAND, "crack", "shape:plate?n=8&jitter=0.3", "--preset", "mud", "--seed",
+                    [COMMAND, "crack", "shape:bowl?n=8", "--preset", "mud", "--seed",
                      "7", "-o", theirs, "--report", f"{folder}/report.json", *sets], check=True,
                     stderr=subprocess.DEVNULL)
-                result = craze.crack(craze.shape("plate?n=8&jitter=0.3"), "mud", 7, **settings)
+                result = craze.crack(craze.shape("bowl?n=8"), "mud", 7, **settings)
                 result.write(ours)
                 self.assertEqual(pathlib.Path(ours).read_bytes(),
                                  pathlib.Path(theirs).read_bytes(), name)
