@@ -1,6 +1,8 @@
 // Format: Pixar, "UsdPreviewSurface Specification", 2.6.
 #include "craze/io/usd/usd_materials.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace craze {

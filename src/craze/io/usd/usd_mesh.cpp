@@ -1,9 +1,12 @@
 // Format: Pixar, "UsdGeom: USD Geometry Schema", Mesh and Primvars.
 #include "craze/io/usd/usd_mesh.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 

@@ -1,4 +1,6 @@
 // Format: Pixar, "OpenUSD: Universal Scene Description", the crate-free text form.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "craze/io/polygons/float_grid.h"
