@@ -94,10 +94,9 @@ TEST_F(Growth, FramesArePicturesIfNothingElseIsAskedFor) {
 }
 
 TEST_F(Growth, FragmentsBecomeObjectsAroundTheirOwnMiddle) {
-  ASSERT_EQ(run(mud + std::vector<std::string>{"-o", "a.glb", "--fragments", "--report", "r.json",
-                                               "--set", "post.lines=none"})
-                .code,
-            0);
+  ASSERT_EQ(
+      run(mud + std::vector<std::string>{"-o", "a.glb", "--fragments", "--report", "r.json"}).code,
+      0);
   const auto glb = glb_json(file("a.glb"));
   const auto report = nlohmann::json::parse(read_text(file("r.json")));
   ASSERT_GT(report["cracks"]["fragments"], 3);

@@ -96,7 +96,7 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
     const SurfaceOrigin origin = opened_origin(result, shown);
     options.scene = beside.scene;
     if (!origin.face.empty()) options.origin = &origin;
-    if (shown.shut && request.recipe.post.lines != ShutCracks::none) {
+    if (shown.shut && !request.split_fragments && request.recipe.post.lines != ShutCracks::none) {
       options.crack_edges = crack_edges(result, shown);
     }
     options.warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
