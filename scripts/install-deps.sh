@@ -17,6 +17,7 @@ development=(
   clang-tidy clang-format
   mypy valgrind                                      # types of the Python package, memory of the C interface
   libbenchmark-dev
+  libopenexr-dev                                     # reads back the maps that craze writes
   emscripten nodejs                                  # WebAssembly
   lintian mmdebstrap                                 # Debian packages
 )

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
 #include <memory>
 
 #include "craze/engine.h"
@@ -42,6 +44,24 @@ TEST(GapWidth, IsTheMeanOpeningOverTheCracksLength) {
     EXPECT_NEAR(mean_width(crack_lines(result), post.gap), width, 1e-12);
     EXPECT_EQ(post.gap_width, 0);  // so that the report's recipe says it once
   }
+}
+
+TEST(GapWidth, IsHowFarTheRimsOfCracksStandApart) {
+  const Result result = cracked({"post.gap_width=0.002"});
+  const Opening opening(result, result.report().recipe.post, {});
+  const std::vector<Vec3> shut = cut_mesh(result, {}).positions;
+  const std::vector<Vec3>& open = opening.mesh().positions;
+  std::map<std::array<double, 2>, std::vector<std::size_t>> on_place;
+  for (std::size_t v = 0; v < shut.size(); ++v) on_place[{shut[v].x(), shut[v].y()}].push_back(v);
+  double sum = 0;
+  int rims = 0;
+  for (const auto& [place, vertices] : on_place) {
+    if (vertices.size() != 2) continue;  // junctions have more
+    sum += (open[vertices[0]] - open[vertices[1]]).norm();
+    ++rims;
+  }
+  ASSERT_GT(rims, 100);
+  EXPECT_NEAR(sum / rims, 0.002, 0.0002);
 }
 
 TEST(GapWidth, OpensAsTheGapDoesThatTheReportTells) {

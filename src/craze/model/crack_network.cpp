@@ -40,7 +40,6 @@ std::int32_t shortest_side(const std::vector<Reach>& reaches, double begin, doub
 
 CrackNetwork crack_network(const Simulation& simulation) {
   const TriangleMesh& mesh = simulation.mesh();
-  const StressField& field = simulation.field();
   CrackNetwork network;
   const std::int32_t halfedges = 3 * mesh.face_count();
   std::vector<Side> sides;
@@ -74,7 +73,7 @@ CrackNetwork crack_network(const Simulation& simulation) {
       const std::int32_t from = mesh.from(sides[j].halfedge), to = mesh.to(sides[j].halfedge);
       const Vec3 edge = mesh.position(to) - mesh.position(from);
       MeanDisplacement& side = edge.dot(direction) > 0 ? left : right;
-      side.sum += 0.5 * edge.norm() * (field.displacement(from) + field.displacement(to));
+      side.sum += 0.5 * edge.norm() * (simulation.displacement(from) + simulation.displacement(to));
       side.length += edge.norm();
       const double begin = (mesh.position(from) - origin).dot(direction);
       const double end = (mesh.position(to) - origin).dot(direction);
