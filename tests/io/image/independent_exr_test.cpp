@@ -1,5 +1,5 @@
 // What is written, as OpenEXR's own library reads it.
-#ifdef CRAZE_OPENEXR
+#if defined CRAZE_OPENEXR && defined CRAZE_PNG  // zlib comes with libpng
 #include <OpenEXR/ImfArray.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
