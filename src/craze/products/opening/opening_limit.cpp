@@ -153,7 +153,8 @@ class Limiter {
       queue.emplace(most, v);
     };
     while (!queue.empty()) {
-      const auto [least, v] = queue.top();
+      const double least = queue.top().first;
+      const std::int32_t v = queue.top().second;
       queue.pop();
       if (least > share[v]) continue;
       if (const std::int32_t site = motion_.sites.site_of[v]; site >= 0) {
