@@ -10,6 +10,9 @@ for program in em++ node; do
   fi
 done
 
+# Where Debian keeps the modules that emscripten's tools ask for, should node be another one.
+export NODE_PATH=${NODE_PATH:+$NODE_PATH:}/usr/share/nodejs
+
 cd "$(dirname "$0")/../.."
 cmake --preset wasm -B "$folder"
 cmake --build "$folder" --target cracked_presets --parallel "$(nproc)"
