@@ -149,9 +149,20 @@ void PatchSolver::read_residuals(const Task& task) {
   residuals_ = static_cast<std::int32_t>(nodes_.size());
 }
 
+// Patches grow ring by ring, so that doubling would leave half of the largest memory empty.
+void PatchSolver::make_room(std::size_t rows) {
+  constexpr std::size_t per_row = 8;  // six neighbours and the node, filled up to an even number
+  const std::size_t needed = columns_.size() + per_row * rows;
+  if (needed <= columns_.capacity()) return;
+  const std::size_t room = std::max(needed, columns_.capacity() / 4 * 5);
+  columns_.reserve(room);
+  blocks_.reserve(room);
+}
+
 void PatchSolver::load_rows(const Task& task) {
   std::vector<std::int32_t>& mark = task.mark;
   const auto end = static_cast<std::int32_t>(nodes_.size());
+  make_room(static_cast<std::size_t>(end - loaded_));
   for (std::int32_t i = loaded_; i < end; ++i) {
     if (i + ahead < end) task.layer.stiffness.prefetch(nodes_[i + ahead]);
     const TangentStiffness::Row row = task.layer.stiffness.row(nodes_[i]);

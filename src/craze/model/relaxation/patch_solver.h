@@ -76,6 +76,7 @@ class PatchSolver {
   void clear();
   void join(const Task& task, std::int32_t v);
   void read_residuals(const Task& task);
+  void make_room(std::size_t rows);
   void load_rows(const Task& task);
   void activate();
 
