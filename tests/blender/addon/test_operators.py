@@ -11,6 +11,7 @@ import bmesh
 import bpy
 import meshes
 import numpy as np
+from cracking import Cracking, places
 
 from craze_blender import mesh_in, process, table
 from craze_blender.operators import curves
@@ -25,20 +26,8 @@ evolution.max_load = 2.0
 OPEN = RECIPE + "post = { gap = 0.1, wall = 0.05 }\n"
 
 
-def places(mesh):
-    co = np.empty(3 * len(mesh.vertices), np.float32)
-    mesh.vertices.foreach_get("co", co)
-    return co.reshape(-1, 3)
-
-
-class Operators(unittest.TestCase):
-    def setUp(self):
-        meshes.empty()
-
-    def crack(self, thing, **said):
-        meshes.activate(thing)
-        self.assertEqual(bpy.ops.craze.crack(**{"recipe": RECIPE, **said}), {"FINISHED"})
-        return bpy.context.active_object
+class Operators(Cracking):
+    recipe = RECIPE
 
     def test_crack_makes_an_object_beside_and_hides_the_other(self):
         thing = meshes.link(meshes.grid(12))
