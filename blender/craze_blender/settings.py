@@ -240,6 +240,15 @@ class CrazeSettings(bpy.types.PropertyGroup):
     frames: bpy.props.IntProperty(
         name="Frames", description="How long the growth takes", min=2, default=100
     )
+    map_size: bpy.props.IntProperty(
+        name="Size", description="Of baked images, pixels a side", min=1, max=8192, default=1024
+    )
+    map_folder: bpy.props.StringProperty(
+        name="Folder",
+        description="Where all maps are written, as .exr; empty: those that the material shows, "
+        "packed into the .blend",
+        subtype="DIR_PATH",
+    )
 
 
 class CrazeObject(bpy.types.PropertyGroup):
