@@ -7,6 +7,7 @@ from typing import Any
 import bpy
 
 from .mesh_out import WALL_COLOUR
+from .nodes import add, new_socket, socket
 
 GROUP = "Craze Cracks"
 DUST = (0.12, 0.09, 0.06, 1.0)
@@ -37,38 +38,17 @@ def crack_group() -> Any:
         return known
     tree = bpy.data.node_groups.new(GROUP, "ShaderNodeTree")
     for name, kind, default, limits in _INPUTS:
-        socket = new_socket(tree, "INPUT", name, f"NodeSocket{kind}")
+        given = new_socket(tree, "INPUT", name, f"NodeSocket{kind}")
         if default is None:
-            socket.hide_value = True
+            given.hide_value = True
         else:
-            socket.default_value = default
+            given.default_value = default
         if limits is not None:
-            socket.min_value, socket.max_value = limits
+            given.min_value, given.max_value = limits
     for name, kind in _OUTPUTS:
         new_socket(tree, "OUTPUT", name, f"NodeSocket{kind}")
     _fill(tree)
     return tree
-
-
-def new_socket(tree: Any, side: str, name: str, kind: str) -> Any:
-    """A socket of a group; `side` is INPUT or OUTPUT."""
-    if hasattr(tree, "interface"):  # 4.0 and later
-        return tree.interface.new_socket(name, in_out=side, socket_type=kind)
-    return (tree.inputs if side == "INPUT" else tree.outputs).new(kind, name)
-
-
-def add(tree: Any, kind: str, place: tuple[float, float], **properties: Any) -> Any:
-    """A new node."""
-    node = tree.nodes.new(kind)
-    node.location = place
-    for name, value in properties.items():
-        setattr(node, name, value)
-    return node
-
-
-def socket(sockets: Any, identifier: str) -> Any:
-    """A socket by its identifier: those of a Mix node share names."""
-    return next(s for s in sockets if s.identifier == identifier)
 
 
 def _fill(tree: Any) -> None:

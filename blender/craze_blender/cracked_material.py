@@ -7,7 +7,7 @@ from typing import Any
 import bpy
 
 from . import crack_nodes, mesh_out
-from .crack_nodes import add
+from .nodes import add
 
 USED = ("mask", "height", "distance")  # the maps that the group takes
 PREFIX = "Craze "  # of the names of our nodes

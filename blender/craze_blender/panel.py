@@ -128,6 +128,7 @@ class CRAZE_PT_result(_Panel, bpy.types.Panel):
         column.operator("craze.pieces", icon="MOD_SOLIDIFY")
         column = layout.column(align=True)
         column.prop(panel, "frames")
+        column.prop(panel, "growth")
         column.operator("craze.grow", icon="SHAPEKEY_DATA")
 
 

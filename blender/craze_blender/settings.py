@@ -17,6 +17,11 @@ from .runs import POST
 LARGEST = 2**31 - 1  # of Blender's whole numbers
 GAP = 0.1  # of a new scene: presets leave cracks shut, and those are not seen in a viewport
 
+GROWTH = (
+    ("KEYS", "Shape keys", "The engine's own stages, at most 32, with keyed values"),
+    ("NODES", "Nodes", "A modifier with a keyed slider: each vertex moves at its time"),
+)
+
 
 def _is_vector(row: dict[str, Any]) -> bool:
     """Always so many numbers; one that may be none is a text."""
@@ -239,6 +244,9 @@ class CrazeSettings(bpy.types.PropertyGroup):
     )
     frames: bpy.props.IntProperty(
         name="Frames", description="How long the growth takes", min=2, default=100
+    )
+    growth: bpy.props.EnumProperty(
+        name="As", description="What opens the cracks", items=GROWTH
     )
     map_size: bpy.props.IntProperty(
         name="Size", description="Of baked images, pixels a side", min=1, max=8192, default=1024
