@@ -11,7 +11,7 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from . import table
+from . import pictures, table
 from .runs import POST
 
 LARGEST = 2**31 - 1  # of Blender's whole numbers
@@ -203,23 +203,24 @@ CrazeKeys = _group(
 )
 
 
-def _preset_items() -> list[tuple[str, str, str]]:
-    return [
-        (name, name.replace("-", " ").capitalize(), table.DESCRIPTIONS.get(name, ""))
-        for name in table.PRESETS
-    ]
+def _preset_property() -> Any:
+    """Made when the add-on is enabled, as pictures are known by numbers that change."""
+    return bpy.props.EnumProperty(
+        name="Preset",
+        description="What cracks: all keys of a recipe at once",
+        items=[
+            (name, name.replace("-", " ").capitalize(), table.DESCRIPTIONS.get(name, ""),
+             pictures.icon(name), number)
+            for number, name in enumerate(table.PRESETS)
+        ],
+        default=table.FIRST_PRESET,
+        update=_preset_changed,
+    )  # fmt: skip
 
 
 class CrazeSettings(bpy.types.PropertyGroup):
-    """The panel's settings, of a scene."""
+    """The panel's settings, of a scene; and `preset`, see _preset_property()."""
 
-    preset: bpy.props.EnumProperty(
-        name="Preset",
-        description="What cracks: all keys of a recipe at once",
-        items=_preset_items(),
-        default=table.FIRST_PRESET,
-        update=_preset_changed,
-    )
     keys: bpy.props.PointerProperty(type=CrazeKeys)
     in_place: bpy.props.BoolProperty(
         name="In place",
@@ -277,6 +278,8 @@ CLASSES = [*_SECTIONS.values(), CrazeKeys, CrazeSettings, CrazeObject]
 
 
 def register() -> None:
+    pictures.register()
+    CrazeSettings.__annotations__["preset"] = _preset_property()
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Scene.craze = bpy.props.PointerProperty(type=CrazeSettings)
@@ -288,3 +291,4 @@ def unregister() -> None:
     del bpy.types.Scene.craze
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
+    pictures.unregister()
