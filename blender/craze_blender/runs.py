@@ -87,6 +87,15 @@ def lines(engine: Engine, order: Order) -> Steps:
     return arrays_in((yield from _of_run(engine, order, "lines")))
 
 
+def bake(
+    engine: Engine, order: Order, size: int, maps: list[str] | None, post: dict[str, float], folder: str
+) -> Steps:
+    """Maps written to a folder, as worker/runs.py says it; `maps`: their names, None: all."""
+    return (
+        yield from _of_run(engine, order, "bake", size=size, maps=maps, post=post, folder=folder)
+    )
+
+
 def _of_run(engine: Engine, order: Order, do: str, **fields: Any) -> Steps:
     """The reply to what is asked of a run, which is made anew where the engine has lost it."""
     reply = yield from asked(engine.send(do, run=order.run, **fields))
