@@ -65,7 +65,7 @@ CarriedCounts count_carried(const CutAsset& cut, std::size_t triangles_before) {
   CarriedCounts counts;
   counts.split_triangles = cut.report.split_faces;
   counts.added_triangles = std::ssize(cut.triangles) - static_cast<std::int64_t>(triangles_before);
-  counts.halved_pieces = cut.report.traced.halved;
+  counts.rerouted_pieces = cut.report.traced.rerouted;
   counts.lost_pieces = cut.report.traced.lost + cut.report.lost_segments;
   counts.lost_length = cut.report.traced.lost_length;
   return counts;

@@ -36,6 +36,15 @@ void check(const SurfaceMesh& asset, const CrackCurves& curves) {
   }
 }
 
+double mean_chord(const CrackCurves& curves, const std::vector<std::int32_t>& points,
+                  const SiteTable& sites) {
+  double sum = 0;
+  for (const auto& [a, b] : curves.edges) {
+    sum += (sites.position(points[a]) - sites.position(points[b])).norm();
+  }
+  return curves.edges.empty() ? 0 : sum / static_cast<double>(curves.edges.size());
+}
+
 /// How far along the curve edge's chord a point lies.
 double along(const CutAsset& cut, const std::array<std::int32_t, 2>& ends, std::int32_t v) {
   const Vec3& a = cut.positions[cut.point_vertex[ends[0]]];
@@ -79,7 +88,7 @@ CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
   SiteTable sites(asset, topology, options.snap);
   std::vector<std::int32_t> points;
   for (const SurfacePoint& p : curves.points) points.push_back(sites.at(p));
-  CurveTracer tracer(asset, topology, sites);
+  CurveTracer tracer(asset, topology, sites, mean_chord(curves, points, sites));
   std::vector<CurvePiece> pieces;
   for (std::size_t e = 0; e < curves.edges.size(); ++e) {
     tracer.trace(points[curves.edges[e][0]], points[curves.edges[e][1]],
