@@ -345,5 +345,19 @@ TEST(CurlOnAnAsset, SplitsWhatIsTooLargeToBend) {
   }
 }
 
+TEST(AssetOutput, AWordDuringTheCarryingStopsARunToDiscardAndIsTooLateForOneToKeep) {
+  const SurfaceMesh cube = bevelled_cube(0.1);
+  const Recipe recipe = recipe_for("glaze", 0.1);
+  bool carrying = false;
+  Context context;
+  context.progress = [&](const Progress& p) { carrying = carrying || p.phase == "carry"; };
+  context.cancelled = [&] { return carrying; };
+  EXPECT_THROW(cracked(cube, recipe, {{}, OnCancel::discard}, context), Cancelled);
+  EXPECT_TRUE(carrying);
+  carrying = false;
+  const Result kept = cracked(cube, recipe, {{}, OnCancel::keep}, context);
+  EXPECT_EQ(kept.report().stop_reason, cracked(cube, recipe).report().stop_reason);
+}
+
 }  // namespace
 }  // namespace craze

@@ -17,6 +17,8 @@ namespace craze {
 
 namespace {
 
+constexpr std::size_t edges_between_looks = 1024;
+
 void check(const SurfaceMesh& asset, const CrackCurves& curves) {
   for (std::size_t p = 0; p < curves.points.size(); ++p) {
     const SurfacePoint& at = curves.points[p];
@@ -83,7 +85,7 @@ void find_edges(CutAsset& cut, const CrackCurves& curves, const std::vector<Curv
 }  // namespace
 
 CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
-                   const CrackCurves& curves, const CutOptions& options) {
+                   const CrackCurves& curves, const CutOptions& options, const Context& context) {
   check(asset, curves);
   SiteTable sites(asset, topology, options.snap);
   std::vector<std::int32_t> points;
@@ -91,11 +93,14 @@ CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
   CurveTracer tracer(asset, topology, sites, mean_chord(curves, points, sites));
   std::vector<CurvePiece> pieces;
   for (std::size_t e = 0; e < curves.edges.size(); ++e) {
+    if (e % edges_between_looks == 0) context.check();
     tracer.trace(points[curves.edges[e][0]], points[curves.edges[e][1]],
                  static_cast<std::int32_t>(e), pieces);
   }
+  context.check();
   RefinedAsset refined = refine_asset(asset, topology, sites, pieces, points, options.snap);
   halve_lone_lines(topology, sites, refined);
+  context.check();
   const LineSides sides = part_sides(asset, topology, sites, refined);
 
   CutAsset cut;
