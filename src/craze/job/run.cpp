@@ -6,8 +6,8 @@
 
 #include "craze/engine.h"
 #include "craze/io/files/atomic_file.h"
-#include "craze/io/image/read_image.h"
 #include "craze/job/load_surface.h"
+#include "craze/job/load_textures.h"
 #include "craze/job/material_looks.h"
 #include "craze/job/outputs.h"
 #include "craze/model/simulation.h"
@@ -56,13 +56,7 @@ Loaded load(const RunRequest& request, const Context& context) {
   loaded.beside.scene = std::move(file.scene);
   input.name = request.input;
   input.surface = std::make_shared<const SurfaceMesh>(std::move(file.mesh));
-  const SimulationParameters& p = request.recipe.simulation;
-  for (const std::string* path :
-       {&p.stress.texture, &p.material.texture, &p.layer.texture, &p.where.texture}) {
-    if (!path->empty() && !input.textures.count(*path)) {
-      input.textures.emplace(*path, to_grey(read_image_file(*path, context)));
-    }
-  }
+  input.textures = load_textures(request.recipe, context);
   return loaded;
 }
 
