@@ -34,6 +34,7 @@ export class Engine {
       if (this.running !== worker) throw new Cancelled();
       this.result?.end();
       this.result = worker;
+      worker.onProgress = () => {}; // what is made of a result is quick
       return summary;
     } catch (error) {
       worker.end();
