@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
 
@@ -112,6 +114,11 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
       if (header.elements.empty()) text.fail("a property stands before the first element");
       auto& properties = header.elements.back().properties;
       properties.push_back(parse_property(text));
+      const std::string& last = properties.back().name;
+      if (std::any_of(properties.begin(), properties.end() - 1,
+                      [&](const PlyProperty& other) { return other.name == last; })) {
+        text.fail(fmt::format("an element has the property '{}' twice", printable(last)));
+      }
       if (properties.size() > max_properties) text.fail("an element has too many properties");
     } else if (keyword == "comment") {
       text.more_on_line();
