@@ -13,14 +13,17 @@
 #include "craze/engine.h"
 #include "craze/line_set.h"
 #include "craze/maps.h"
+#include "craze/output/source_file.h"
 #include "craze/products.h"
 #include "craze/recipe.h"
 #include "craze/surface_mesh.h"
 
 struct craze_mesh {
   std::shared_ptr<const craze::SurfaceMesh> mesh;
-  std::vector<std::string> warnings;  // of the file it was read from
-  std::vector<std::string> names;     // of its arrays
+  std::shared_ptr<const craze::SourceFile> source;  // what it was read from; null: arrays
+  std::shared_ptr<const craze::Opening> opening;    // what it shows of a run; null: no run
+  std::vector<std::string> warnings;                // of the file it was read from
+  std::vector<std::string> names;                   // of its arrays
 
   explicit craze_mesh(craze::SurfaceMesh given);
   explicit craze_mesh(std::shared_ptr<const craze::SurfaceMesh> shared);
@@ -40,6 +43,12 @@ struct craze_mesh {
     list_arrays();
   }
 
+  /// Nothing but its arrays counts any more.
+  void forget_origin() {
+    source = nullptr;
+    opening = nullptr;
+  }
+
  private:
   static constexpr long own_uses = 3;  // own_, mesh and change()'s
 
@@ -54,6 +63,7 @@ struct craze_lines {
 
 struct craze_job {
   std::shared_ptr<const craze::SurfaceMesh> mesh;
+  std::shared_ptr<const craze::SourceFile> source;  // of the mesh
   craze::Textures textures;
   craze::Recipe recipe;
   craze::CrackOptions options;
@@ -61,9 +71,11 @@ struct craze_job {
   craze_progress progress = nullptr;
   void* user = nullptr;
   std::optional<craze::Result> result;
+  std::shared_ptr<const craze::SourceFile> cracked_source;  // of what the result was made of
 };
 
 struct craze_opening {
+  std::shared_ptr<const craze::SourceFile> source;
   std::shared_ptr<const craze::Opening> opening;  // shared with the mesh made of it
   std::optional<craze::GrowthClip> clip;          // made when the first position is asked for
 };

@@ -57,6 +57,7 @@ craze_status craze_job_set_mesh(craze_job* job, const craze_mesh* mesh, craze_er
     require(job, "job");
     require(mesh, "mesh");
     job->mesh = mesh->mesh;
+    job->source = mesh->opening ? nullptr : mesh->source;
   });
 }
 
@@ -149,5 +150,6 @@ craze_status craze_job_run(craze_job* job, craze_error* error) {
     options.on_cancel = OnCancel::discard;
     const CallbackContext context(*job);
     job->result = crack({job->mesh, job->textures, "mesh"}, job->recipe, options, context.get());
+    job->cracked_source = job->source;
   });
 }

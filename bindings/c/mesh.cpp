@@ -1,10 +1,12 @@
 // Meshes of the interface: arrays in, arrays out.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "callback_context.h"
 #include "craze/mesh/mesh_parts.h"
+#include "craze/output/write_surface.h"
 #include "craze/products.h"
 #include "craze/read_mesh.h"
 #include "craze/shapes.h"
@@ -151,6 +153,43 @@ void set_array(SurfaceMesh& mesh, std::string_view name, const double* values, i
   }
 }
 
+bool has_array(const SurfaceMesh& mesh, std::string_view name) {
+  const std::vector<std::string> names = array_names(mesh);
+  return std::find(names.begin(), names.end(), name == "vertex:color" ? "colors" : name) !=
+         names.end();
+}
+
+bool holds_all_of(const std::vector<Attribute>& attributes, const std::vector<Attribute>& others) {
+  return std::all_of(others.begin(), others.end(), [&](const Attribute& other) {
+    const Attribute* own = find_attribute(attributes, other.name);
+    return own && own->components == other.components && own->values == other.values;
+  });
+}
+
+/// Whether it is the other mesh, but for its places and for more attributes.
+bool holds_all_of(const SurfaceMesh& mesh, const SurfaceMesh& other) {
+  return mesh.positions.size() == other.positions.size() && mesh.triangles == other.triangles &&
+         mesh.corner_uvs == other.corner_uvs && mesh.corner_normals == other.corner_normals &&
+         mesh.vertex_colors == other.vertex_colors && mesh.face_materials == other.face_materials &&
+         (mesh.material_names == other.material_names || mesh.face_materials.empty()) &&
+         holds_all_of(mesh.vertex_attributes, other.vertex_attributes) &&
+         holds_all_of(mesh.face_attributes, other.face_attributes);
+}
+
+/// With all that it was made of.
+void write(const craze_mesh& mesh, const char* path, const SurfaceFileOptions& options,
+           const Context& context) {
+  if (mesh.opening) {
+    const SourceFile arrays;
+    write_surface(path, *mesh.mesh, mesh.opening->surface(), mesh.opening->result(),
+                  mesh.source ? *mesh.source : arrays, options, context);
+  } else if (mesh.source) {
+    write_surface(path, *mesh.mesh, *mesh.source, options, context);
+  } else {
+    write_mesh(path, *mesh.mesh, {}, context);
+  }
+}
+
 void require_fragments(const SurfaceMesh& mesh) {
   if (find_attribute(mesh.face_attributes, "fragment")) return;
   throw Error(ErrorKind::request, "no fragments", "face:fragment",
@@ -202,6 +241,8 @@ craze_mesh* craze_mesh_read(const char* path, craze_progress progress, void* use
     MeshFile file = read_mesh_file(path, CallbackContext(progress, user).get());
     auto mesh = std::make_unique<craze_mesh>(std::move(file.mesh));
     mesh->warnings = std::move(file.warnings);
+    mesh->source = std::make_shared<const SourceFile>(
+        SourceFile{path, std::move(file.looks), std::move(file.scene)});
     return mesh.release();
   });
 }
@@ -213,7 +254,10 @@ const char* craze_mesh_warning(const craze_mesh* mesh, int64_t i) {
 craze_mesh* craze_mesh_shape(const char* specification, craze_error* error) {
   return guarded(error, [&] {
     require(specification, "specification");
-    return new craze_mesh(make_shape(specification));
+    auto mesh = std::make_unique<craze_mesh>(make_shape(specification));
+    mesh->source = std::make_shared<const SourceFile>(
+        SourceFile{"shape:" + std::string(specification), {}, nullptr});
+    return mesh.release();
   });
 }
 
@@ -227,7 +271,9 @@ craze_status craze_mesh_set(craze_mesh* mesh, const char* name, const double* va
     require(mesh, "mesh");
     require(name, "name");
     if (rows > 0) require(values, "values");
+    const bool replaces = has_array(*mesh->mesh, name);
     mesh->change([&](SurfaceMesh& changed) { set_array(changed, name, values, rows, columns); });
+    if (replaces) mesh->forget_origin();
   });
 }
 
@@ -254,6 +300,7 @@ craze_status craze_mesh_set_materials(craze_mesh* mesh, const int32_t* materials
       changed.material_names = std::move(given);
       changed.face_materials = std::move(of_faces);
     });
+    mesh->forget_origin();
   });
 }
 
@@ -280,8 +327,35 @@ craze_status craze_mesh_write(const craze_mesh* mesh, const char* path, craze_pr
   return guard(error, [&] {
     require(mesh, "mesh");
     require(path, "path");
-    write_mesh(path, *mesh->mesh, {}, CallbackContext(progress, user).get());
+    write(*mesh, path, {}, CallbackContext(progress, user).get());
   });
+}
+
+craze_status craze_mesh_write_telling(const craze_mesh* mesh, const char* path, craze_told told,
+                                      craze_progress progress, void* user, craze_error* error) {
+  return guard(error, [&] {
+    require(mesh, "mesh");
+    require(path, "path");
+    SurfaceFileOptions options;
+    if (told) options.warn = [&](const std::string& sentence) { told(user, sentence.c_str()); };
+    write(*mesh, path, options, CallbackContext(progress, user).get());
+  });
+}
+
+int craze_mesh_keep_origin(craze_mesh* mesh, const craze_mesh* from) {
+  if (!mesh || !from || !(from->source || from->opening)) return 0;
+  const bool holds = holds_all_of(*mesh->mesh, *from->mesh);
+  guard(nullptr, [&] {
+    if (!holds) return;
+    mesh->change([&](SurfaceMesh& changed) {
+      changed.object_names = from->mesh->object_names;
+      changed.face_objects = from->mesh->face_objects;
+      changed.metres_per_unit = from->mesh->metres_per_unit;
+    });
+    mesh->source = from->source;
+    mesh->opening = from->opening;
+  });
+  return holds ? 1 : 0;
 }
 
 int64_t craze_mesh_fragment_count(const craze_mesh* mesh, craze_error* error) {

@@ -81,12 +81,24 @@ LineSet line_set(const double* points, int64_t p, const int32_t* edges, int64_t 
   return lines;
 }
 
+craze_mesh* new_mesh(const craze_opening& shown) {
+  std::shared_ptr<const SurfaceMesh> mesh(shown.opening, &shown.opening->mesh());
+  auto handle = std::make_unique<craze_mesh>(std::move(mesh));
+  handle->source = shown.source;
+  handle->opening = shown.opening;
+  return handle.release();
+}
+
 }  // namespace
 
 craze_mesh* craze_job_cut_mesh(const craze_job* job, craze_error* error) {
   return guarded(error, [&] {
-    const Result& result = result_of(job);
-    return new craze_mesh(cut_mesh(result, CallbackContext(*job).get()));
+    const CallbackContext context(*job);
+    const craze_opening shut{
+        job->cracked_source,
+        std::make_shared<const Opening>(result_of(job), PostParameters{}, context.get()),
+        {}};
+    return new_mesh(shut);
   });
 }
 
@@ -147,7 +159,8 @@ craze_opening* craze_job_open(const craze_job* job, double gap, double wall, dou
     post.wall = wall;
     post.curl = curl;
     const CallbackContext context(*job);
-    return new craze_opening{std::make_shared<const Opening>(result, post, context.get()), {}};
+    return new craze_opening{
+        job->cracked_source, std::make_shared<const Opening>(result, post, context.get()), {}};
   });
 }
 
@@ -158,7 +171,7 @@ void craze_opening_free(craze_opening* opening) {
 craze_mesh* craze_opening_mesh(const craze_opening* opening, craze_error* error) {
   return guarded(error, [&] {
     require(opening, "opening");
-    return new craze_mesh({opening->opening, &opening->opening->mesh()});
+    return new_mesh(*opening);
   });
 }
 

@@ -141,9 +141,22 @@ CRAZE_API const char* craze_mesh_array_name(const craze_mesh* mesh, int64_t i);
  * last. */
 CRAZE_API const char* craze_mesh_material_name(const craze_mesh* mesh, int64_t i);
 
-/* Writes .ply .obj .stl .glb .usda: the whole file or none. */
+/* Writes .ply .obj .stl .glb .usda: the whole file or none. A mesh that was read, and what a run
+ * makes of it, is written with all that its file held besides (nodes, materials, textures ...), as
+ * the command does it, where the format has a place for that; until an array that it had is set
+ * anew. */
 CRAZE_API craze_status craze_mesh_write(const craze_mesh* mesh, const char* path,
                                         craze_progress progress, void* user, craze_error* error);
+/* The same, telling what the format has no place for, one sentence at a time, in the thread that
+ * called. */
+typedef void (*craze_told)(void* user, const char* sentence);
+CRAZE_API craze_status craze_mesh_write_telling(const craze_mesh* mesh, const char* path,
+                                                craze_told told, craze_progress progress,
+                                                void* user, craze_error* error);
+/* Gives `mesh` what the file of `from` held besides its arrays, if it has all that `from` has:
+ * the same faces, UVs, normals, colours, materials and attributes; vertices may have moved, and
+ * there may be more attributes. 1: done; 0: nothing changed. */
+CRAZE_API int craze_mesh_keep_origin(craze_mesh* mesh, const craze_mesh* from);
 /* The parts of a cracked mesh by its face attribute "fragment": how many there are (-1 where it has
  * none), and as many handles, to be freed one by one. */
 CRAZE_API int64_t craze_mesh_fragment_count(const craze_mesh* mesh, craze_error* error);

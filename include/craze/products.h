@@ -15,6 +15,7 @@
 namespace craze {
 
 struct SurfaceOrigin;
+struct OpenedSurface;
 
 /// The cut mesh, shut, with everything known of it. Attributes of these names that the surface
 /// already has are replaced.
@@ -40,6 +41,10 @@ class Opening {
   SurfaceOrigin origin() const;
   /// What could not be done as asked, a sentence each.
   const std::vector<std::string>& warnings() const;
+
+  /// What it was made of, and what mesh() is part of (products/opening/opened_surface.h).
+  const Result& result() const;
+  const OpenedSurface& surface() const;
 
  private:
   friend class GrowthClip;

@@ -36,6 +36,8 @@ struct MeshFileOptions {
   /// How the mesh lies in the surface of `scene`; null: it is another surface, of the same
   /// materials.
   const SurfaceOrigin* origin = nullptr;
+  /// GLB: faces have been bent, and the mesh's normals are in place of the scene's.
+  bool bent = false;
   /// GLB: edges to be drawn as lines, halfedges 3f+i from corner i to corner i+1 of face f.
   std::vector<std::int32_t> crack_edges = {};
   /// OBJ: the names after `mtllib`; empty: without. write_mesh() finds those of an OBJ file's

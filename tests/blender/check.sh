@@ -16,3 +16,6 @@ open=(--set post.gap=0.1 --set post.wall=0.02)
 "$craze" crack "${mud[@]}" -o pieces.glb --fragments
 "$craze" crack "${mud[@]}" -o pieces.obj --fragments
 blender -b --python-exit-code 3 -P "$here/import.py" -- "$folder" | tail -n 20
+python3 "$here/../gltf/truck.py" truck.glb
+"$craze" crack truck.glb --preset glaze --set layer.relative_spacing=0.12 --quiet -o cracked_truck.glb
+blender -b --python-exit-code 3 -P "$here/kept_scene.py" -- truck.glb cracked_truck.glb . | grep -v '^Fra:' | tail -n 20

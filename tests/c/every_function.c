@@ -42,6 +42,11 @@ static int count_calls(void* user, const char* phase, double fraction, int64_t c
   return 0;
 }
 
+static void count_sentences(void* user, const char* sentence) {
+  ++*(int*)user;
+  EXPECT(strlen(sentence) > 0);
+}
+
 static int stop_at_once(void* user, const char* phase, double fraction, int64_t cracks,
                         double load) {
   (void)user, (void)phase, (void)fraction, (void)cracks, (void)load;
@@ -73,6 +78,7 @@ static void a_mesh_keeps_what_it_is_given(const char* folder) {
   craze_error error;
   craze_array array;
   int64_t i;
+  int told = 0;
   craze_mesh* mesh = craze_mesh_new(square, 4, halves, 2, &error);
   EXPECT(mesh != NULL && error.status == CRAZE_OK && error.message[0] == '\0');
   EXPECT(craze_mesh_set(mesh, "uv", uv, 6, 2, NULL) == CRAZE_OK);
@@ -132,6 +138,10 @@ static void a_mesh_keeps_what_it_is_given(const char* folder) {
   snprintf(path, sizeof path, "%s/square.ply", folder);
   i = 0;
   EXPECT(craze_mesh_write(mesh, path, NULL, NULL, NULL) == CRAZE_OK);
+  EXPECT(craze_mesh_write_telling(mesh, path, count_sentences, NULL, &told, NULL) == CRAZE_OK);
+  EXPECT(told == 0);
+  EXPECT(craze_mesh_keep_origin(mesh, mesh) == 0); /* arrays have none */
+  EXPECT(craze_mesh_keep_origin(mesh, NULL) == 0);
   EXPECT_ERROR(craze_mesh_write(mesh, path, stop_at_once, NULL, e), CRAZE_CANCELLED);
   EXPECT_ERROR(craze_mesh_write(mesh, "nowhere/at/all.ply", NULL, NULL, e), CRAZE_OUTPUT);
   EXPECT_ERROR(craze_mesh_write(mesh, "square.doc", NULL, NULL, e), CRAZE_USAGE);
@@ -141,6 +151,7 @@ static void a_mesh_keeps_what_it_is_given(const char* folder) {
   EXPECT(mesh != NULL);
   EXPECT(craze_mesh_array(mesh, "vertex:weight", &array, NULL) == CRAZE_OK);
   EXPECT(memcmp(array.data, weight, sizeof weight) == 0);
+  EXPECT(craze_mesh_keep_origin(mesh, mesh) == 1);
   craze_mesh_free(mesh);
   remove(path);
   EXPECT_ERROR(craze_mesh_read(path, NULL, NULL, e), CRAZE_INPUT);

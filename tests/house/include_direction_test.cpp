@@ -18,8 +18,9 @@ const std::map<std::string, std::set<std::string>> may_use = {
     {"engine", {"base", "mesh", "model", "recipe"}},
     {"products", {"base", "mesh", "model", "recipe", "engine"}},
     {"io", {"base", "mesh"}},
+    {"output", {"base", "mesh", "model", "recipe", "engine", "products", "io"}},
     {"render", {"base", "mesh", "model", "products", "io"}},
-    {"job", {"base", "mesh", "model", "recipe", "engine", "products", "io", "render"}},
+    {"job", {"base", "mesh", "model", "recipe", "engine", "products", "io", "output", "render"}},
 };
 
 /// The room that each public header, include/craze/NAME.h, is the door of.

@@ -1,4 +1,5 @@
 #include "craze/job/material_looks.h"
+#include "craze/output/source_file.h"
 
 #include <gtest/gtest.h>
 

@@ -44,6 +44,7 @@ class CArray(ctypes.Structure):
 
 
 PROGRESS = ctypes.CFUNCTYPE(c_int, c_void_p, c_char_p, c_double, c_int64, c_double)
+TOLD = ctypes.CFUNCTYPE(None, c_void_p, c_char_p)
 
 _KINDS = {1: "input", 2: "usage", 3: "request", 4: "output", 6: "memory", 7: "internal"}
 _CANCELLED = 5
@@ -68,7 +69,8 @@ _FUNCTIONS: dict[str, tuple[Any, list[Any], bool]] = {
     "craze_mesh_array": (c_int, [c_void_p, c_char_p, POINTER(CArray)], True),
     "craze_mesh_array_name": (c_char_p, [c_void_p, c_int64], False),
     "craze_mesh_material_name": (c_char_p, [c_void_p, c_int64], False),
-    "craze_mesh_write": (c_int, [c_void_p, c_char_p, PROGRESS, c_void_p], True),
+    "craze_mesh_write_telling": (c_int, [c_void_p, c_char_p, TOLD, PROGRESS, c_void_p], True),
+    "craze_mesh_keep_origin": (c_int, [c_void_p, c_void_p], False),
     "craze_mesh_fragment_count": (c_int64, [c_void_p], True),
     "craze_mesh_fragments": (c_int, [c_void_p, POINTER(c_void_p), c_int64], True),
     "craze_job_new": (c_void_p, [], False),

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import ctypes
 import os
+import warnings
 from typing import Any, Mapping
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _arrays
-from ._library import Array, Handle, address, call, listed, path_bytes, text_bytes, view
+from ._library import TOLD, Array, Handle, address, call, listed, path_bytes, text_bytes, view
 from ._watch import watched
 
 
@@ -151,15 +152,30 @@ class Mesh:
                 _set_materials(handle, values, m, self.material_names)
             else:
                 set_array(f"face:{name}", _arrays.attribute(values, m, f"attribute {name}"))
+        if self._handle is not None:
+            call("craze_mesh_keep_origin", handle.pointer, self._handle.pointer)
         return handle
 
     def write(self, path: str | bytes | os.PathLike[Any]) -> None:
-        """Writes .ply, .obj, .stl, .glb or .usda: the whole file or none. Raises Error."""
+        """Writes .ply, .obj, .stl, .glb or .usda: the whole file or none. Raises Error.
+
+        A mesh that was read, and what crack() makes of it, is written with all that its file held
+        besides, as the command does it: nodes, materials, textures, animations … So it is after
+        vertices have been moved and attributes added, but not once faces, UVs, normals, colours or
+        other attributes that it had are replaced, nor of copies. What the format has no place for
+        is said by a UserWarning.
+        """
         handle, name = self._as_handle(), path_bytes(path)
+        lost: list[str] = []
+        told = TOLD(lambda _, sentence: lost.append(sentence.decode("utf-8", "replace")))
         watched(
-            lambda callback: call("craze_mesh_write", handle.pointer, name, callback, None),
+            lambda callback: call(
+                "craze_mesh_write_telling", handle.pointer, name, told, callback, None
+            ),
             finish=True,
         )
+        for sentence in lost:
+            warnings.warn(sentence, UserWarning, stacklevel=2)
 
     def fragments(self) -> list[Mesh]:
         """The parts by the face attribute `fragment`, in order. Raises Error where there is none."""

@@ -139,7 +139,8 @@ class Result:
         return arrays(handle)
 
     def write(self, path: str | bytes | os.PathLike[Any]) -> None:
-        """Writes the mesh, opened as the recipe's [post] says: .ply .obj .stl .glb."""
+        """Writes the mesh, opened as the recipe's [post] says: .ply .obj .stl .glb .usda, the same
+        bytes as the command's. See Mesh.write."""
         self.opened().write(path)
 
     def _product(self, name: str, free: str, *arguments: Any) -> Handle:

@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/files/extension.h"
 #include "craze/io/gltf/gltf.h"
 #include "craze/io/mesh_formats.h"
+#include "craze/io/obj/looks_library.h"
 #include "craze/io/obj/obj_scene.h"
 #include "craze/io/source_scene.h"
 
@@ -54,23 +57,39 @@ void check_options(const MeshFormat* format, const std::string& where, bool obje
 }
 
 /// Kinds of a scene's contents that the format keeps of that scene.
-std::vector<std::string> kept_kinds(const MeshFormat& format) {
-  if (format.name == "obj") {
-    return {"nodes", "objects and groups", "material libraries", "pictures of base colours"};
+std::vector<std::string> kept_kinds(const MeshFormat& format, bool has_own_objects) {
+  std::vector<std::string> kept;
+  if (format.name == "ply") kept = {"comments"};
+  if (format.name == "obj" || format.name == "glb") {
+    kept = {"materials", "textures", "images", "material libraries", "pictures of base colours"};
+    if (!has_own_objects) kept.emplace_back("objects and groups");
+    if (!has_own_objects && format.name == "obj") kept.emplace_back("nodes");
   }
-  if (format.name == "ply") return {"comments"};
-  if (format.name == "glb") {
-    return {"materials", "textures", "images", "material libraries", "pictures of base colours"};
-  }
-  return {};
+  return kept;
 }
 
-void warn_of_lost(const MeshFormat& format, const MeshFileOptions& options) {
+void warn_of_lost(const MeshFormat& format, const SurfaceMesh& mesh,
+                  const MeshFileOptions& options) {
   if (!options.scene || !options.warn) return;
   if (format.name == "glb" && keeps_scene(options)) return;
   std::string target = fmt::format(".{}", format.name);
   if (!options.objects.empty()) target += " with fragments as objects";
-  const std::string lost = describe_lost(options.scene->contents(), kept_kinds(format), target);
+  const std::vector<SceneContent> contents = options.scene->contents();
+  std::vector<std::string> kept = kept_kinds(format, !options.objects.empty());
+  if (format.name == "glb" && keeps_nodes(mesh, options)) {
+    target += " of another surface than the input's";
+    for (const char* kind : {"nodes", "meshes", "animations", "cameras", "lights"}) {
+      kept.emplace_back(kind);
+    }
+  }
+  std::string lost = describe_lost(contents, kept, target);
+  const bool simplifies = std::any_of(contents.begin(), contents.end(), [](const auto& content) {
+    return content.kind == "materials";
+  });
+  if (format.name == "obj" && simplifies) {
+    lost += lost.empty() ? "not kept of the input, since .obj has no place for it: " : ", ";
+    lost += "what materials have besides a base colour and its texture";
+  }
   if (!lost.empty()) options.warn(lost);
 }
 
@@ -79,7 +98,7 @@ std::string format_as(const SurfaceMesh& mesh, std::string_view name, const std:
   const bool objects = !options.objects.empty(), animation = options.animation != nullptr;
   check_options(find_mesh_format(name), where, objects, animation);
   const MeshFormat& format = writable_format(name, where);
-  warn_of_lost(format, options);
+  warn_of_lost(format, mesh, options);
   return format.format(mesh, options, context);
 }
 
@@ -104,7 +123,17 @@ void write_mesh(const std::filesystem::path& path, const SurfaceMesh& mesh,
     library = library_beside(path, *obj, mesh);
     own.material_library = library.names;
   }
+  LooksLibrary looks;
+  if (!obj && extension == ".obj" && options.looks && options.material_library.empty()) {
+    looks = looks_library(path, mesh, *options.looks);
+    own.material_library = looks.file.filename().string();
+    library.file = looks.file;
+    library.text = looks.text;
+  }
   const std::string bytes = format_as(mesh, extension, path.string(), own, context);
+  for (const auto& [file, picture] : looks.pictures) {
+    write_file(file, *picture, "cannot write a texture", context);
+  }
   if (!library.file.empty()) {
     write_file(library.file, library.text, "cannot write the materials", context);
   }

@@ -9,6 +9,7 @@
 #include "craze/error.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/output_place.h"
+#include "craze/products/opening/shading_normals.h"
 #include "craze/render/png.h"
 #include "craze/render/video.h"
 #include "craze/write_mesh.h"
@@ -29,12 +30,16 @@ SurfaceMesh mesh_at(const GrowthScene& scene, double time) {
 /// Takes the pictures, one moment after the other, from one place.
 class Photographer {
  public:
-  Photographer(const GrowthScene& scene, const PostParameters& post,
-               const render::PictureOptions& options, const Context& context)
+  Photographer(const GrowthScene& scene, const render::PictureOptions& options,
+               const Context& context)
       : scene_(scene), options_(options), mesh_(scene.shown.mesh) {
     options_.subject = render::subject_of(mesh_);
     mesh_.face_attributes.clear();  // fragments look alike before they are ones
-    mesh_.corner_normals = picture_normals(scene.shown, scene.result, post, options_.crease);
+    // What bends is shaded as it stands at each moment.
+    mesh_.corner_normals.clear();
+    if (!scene.shown.curled) {
+      mesh_.corner_normals = shading_normals(scene.shown, scene.result, options_.crease);
+    }
     lines_ = picture_lines(scene.shown, scene.result, render::line_reach(mesh_, options_), context);
   }
 
@@ -77,7 +82,7 @@ void write_frames(const RunRequest& request, const GrowthScene& scene,
                   const render::PictureOptions& options, const Context& context) {
   const bool pictures = request.frame_format == "png" || !request.video.empty();
   std::optional<Photographer> photographer;
-  if (pictures) photographer.emplace(scene, scene.result.report().recipe.post, options, context);
+  if (pictures) photographer.emplace(scene, options, context);
   std::optional<render::Video> video;
   if (!request.video.empty()) {
     video.emplace(followed(request.video).string(), options.width, options.height,

@@ -2,15 +2,11 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "craze/context.h"
 #include "craze/read_mesh.h"
 
 namespace craze {
-
-/// Whether the input names a built-in shape, "shape:…".
-bool is_shape(std::string_view input);
 
 /// Reads a mesh file, or makes the shape of "shape:NAME?key=value&…". Throws Error(input) for a
 /// file that cannot be read, Error(usage) for an unknown shape, and Cancelled.

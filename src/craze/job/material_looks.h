@@ -10,16 +10,6 @@
 
 namespace craze {
 
-/// How the materials of a run's input look.
-struct MaterialLooks {
-  std::vector<MaterialLook> of_file;  ///< as it says
-  std::vector<render::Look> shown;    ///< of it, what pictures show; empty: their own material
-};
-
-/// The looks with the texture files as seen from the folder of `output`, named from `input`'s.
-std::vector<MaterialLook> looks_from(const std::vector<MaterialLook>& looks,
-                                     const std::string& input, const std::string& output);
-
 /// The looks of a file with their textures decoded, each once; files that it names are looked for
 /// beside `input`. None where no material has a texture or is other than grey: then a picture's
 /// material says more. Warns of each texture that cannot be shown, which leaves the factor alone.

@@ -4,23 +4,19 @@
 #include <utility>
 
 #include "craze/engine/cracked_surface.h"
-#include "craze/io/files/extension.h"
 #include "craze/io/lines/write_lines.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/growth_frames.h"
-#include "craze/job/load_surface.h"
 #include "craze/mesh/morph_animation.h"
+#include "craze/output/write_surface.h"
 #include "craze/products/crack_lines.h"
 #include "craze/products/cut_surface.h"
 #include "craze/products/field_mesh.h"
 #include "craze/products/growth/growth.h"
-#include "craze/products/opening/crack_edges.h"
-#include "craze/products/opening/opened_origin.h"
+#include "craze/products/opening/shading_normals.h"
 #include "craze/products/statistics/graph/graph_input.h"
-#include "craze/recipe/own_lengths.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
-#include "craze/render/smooth_normals.h"
 #include "craze/write_mesh.h"
 
 namespace craze {
@@ -50,25 +46,11 @@ void write_picture(const RunRequest& request, render::PictureOptions options,
                    const OpenedSurface& shown, const Result& result, const Context& context) {
   SurfaceMesh drawn = shown.mesh;
   options.subject = render::subject_of(drawn);
-  drawn.corner_normals =
-      picture_normals(shown, result, result.report().recipe.post, options.crease);
+  drawn.corner_normals = shading_normals(shown, result, options.crease);
   const render::CrackLines lines =
       picture_lines(shown, result, render::line_reach(drawn, options), context);
   render::write_png(request.picture, render::render_picture(drawn, &lines, options, context),
                     context);
-}
-
-/// Viewers shade a GLB without normals flat. A surface that came without is shaded as in pictures,
-/// edges sharper than the crease hard.
-std::vector<Vec3> shading_normals(const RunRequest& request, const OpenedSurface& shown,
-                                  const Result& result) {
-  const double crease = request.shot.crease;
-  std::vector<Vec3> normals = picture_normals(shown, result, result.report().recipe.post, crease);
-  if (!normals.empty()) return normals;
-  for (const render::Vec3f& n : render::smooth_normals(shown.mesh, crease)) {
-    normals.push_back(n.cast<double>());
-  }
-  return normals;
 }
 
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
@@ -85,28 +67,12 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
     if (request.animate) {
       animation = growth->animation(request.animation_stages, request.clip_seconds, context);
     }
-    MeshFileOptions options;
-    const std::vector<MaterialLook> seen =
-        looks_from(beside.looks.of_file, request.input, request.output);
-    if (!seen.empty()) options.looks = &seen;
-    options.up = picture.view.up;
-    options.metres_per_unit = metres_per_unit(shown.mesh, result.report().recipe);
+    SurfaceFileOptions options;
+    options.crease = picture.crease;
     if (request.split_fragments) options.objects = "fragment";
     if (request.animate) options.animation = &animation;
-    const SurfaceOrigin origin = opened_origin(result, shown);
-    options.scene = beside.scene;
-    if (!origin.face.empty()) options.origin = &origin;
-    if (shown.shut && !request.split_fragments && request.recipe.post.lines != ShutCracks::none) {
-      options.crack_edges = crack_edges(result, shown);
-    }
     options.warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
-    if (lower_extension(request.output) == ".glb" && shown.mesh.corner_normals.empty()) {
-      SurfaceMesh shaded = shown.mesh;
-      shaded.corner_normals = shading_normals(request, shown, result);
-      write_mesh(request.output, shaded, options, context);
-    } else {
-      write_mesh(request.output, shown.mesh, options, context);
-    }
+    write_surface(request.output, shown.mesh, shown, result, beside.source, options, context);
   }
   if (frames) {
     write_frames(request, {result, shown, *growth}, picture, context);
@@ -119,7 +85,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
                                                        const Result& result,
                                                        const BesideSurface& beside, Report& report,
                                                        const Context& context) {
-  const render::PictureOptions picture = picture_options(request, beside.looks.shown);
+  const render::PictureOptions picture = picture_options(request, beside.looks);
   GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);

@@ -1,22 +1,22 @@
 // The files of a run.
 #pragma once
 
-#include <memory>
 #include <optional>
+#include <vector>
 
 #include "craze/context.h"
 #include "craze/engine.h"
-#include "craze/job/material_looks.h"
 #include "craze/job/run.h"
+#include "craze/output/source_file.h"
 #include "craze/products/statistics/statistics.h"
-#include "craze/read_mesh.h"
+#include "craze/render/look.h"
 
 namespace craze {
 
 /// What a run's input brought besides its surface.
 struct BesideSurface {
-  MaterialLooks looks;
-  std::shared_ptr<const SourceScene> scene;  ///< null: nothing
+  SourceFile source;
+  std::vector<render::Look> looks;  ///< what pictures show of it; empty: their own material
 };
 
 /// Writes everything asked for but the report, of which it counts the output and adds warnings.

@@ -48,12 +48,10 @@ Loaded load(const RunRequest& request, const Context& context) {
   Input& input = loaded.input;
   MeshFile file = load_surface(request.input, context);
   loaded.warnings = std::move(file.warnings);
-  MaterialLooks& looks = loaded.beside.looks;
   if (takes_pictures(request) && !request.plain) {
-    looks.shown = material_looks(file.looks, request.input, loaded.warnings, context);
+    loaded.beside.looks = material_looks(file.looks, request.input, loaded.warnings, context);
   }
-  looks.of_file = std::move(file.looks);
-  loaded.beside.scene = std::move(file.scene);
+  loaded.beside.source = {request.input, std::move(file.looks), std::move(file.scene)};
   input.name = request.input;
   input.surface = std::make_shared<const SurfaceMesh>(std::move(file.mesh));
   input.textures = load_textures(request.recipe, context);

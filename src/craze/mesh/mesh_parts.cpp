@@ -22,15 +22,18 @@ std::vector<T> pick(const std::vector<T>& source, const std::vector<std::int32_t
 
 }  // namespace
 
-std::vector<MeshPart> mesh_parts(const SurfaceMesh& mesh, const std::string& attribute) {
+const Attribute& part_numbers(const SurfaceMesh& mesh, const std::string& attribute) {
   const Attribute* values = find_attribute(mesh.face_attributes, attribute);
-  if (!values || values->components != 1) {
-    throw Error(ErrorKind::request, "cannot write the mesh as objects", attribute,
-                "the faces have no such number");
-  }
+  if (values && values->components == 1) return *values;
+  throw Error(ErrorKind::request, "cannot write the mesh as objects", attribute,
+              "the faces have no such number");
+}
+
+std::vector<MeshPart> mesh_parts(const SurfaceMesh& mesh, const std::string& attribute) {
+  const Attribute& values = part_numbers(mesh, attribute);
   std::map<double, std::vector<std::int32_t>> faces_of;
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    faces_of[values->values[f]].push_back(static_cast<std::int32_t>(f));
+    faces_of[values.values[f]].push_back(static_cast<std::int32_t>(f));
   }
   std::vector<MeshPart> parts;
   parts.reserve(faces_of.size());

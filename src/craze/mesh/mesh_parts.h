@@ -13,6 +13,9 @@ struct MeshPart {
   std::vector<std::int32_t> faces;  ///< of the whole mesh, ascending
 };
 
+/// The face attribute that tells parts apart. Throws Error(request) where there is no such number.
+const Attribute& part_numbers(const SurfaceMesh& mesh, const std::string& attribute);
+
 /// One part per value of the face attribute, which must be there: "fragment_3" holds the faces
 /// whose `fragment` is 3. Parts are in the order of their values.
 std::vector<MeshPart> mesh_parts(const SurfaceMesh& mesh, const std::string& attribute);

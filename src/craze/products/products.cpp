@@ -60,6 +60,14 @@ const std::vector<std::string>& Opening::warnings() const {
   return state_->surface.warnings;
 }
 
+const Result& Opening::result() const {
+  return state_->result;
+}
+
+const OpenedSurface& Opening::surface() const {
+  return state_->surface;
+}
+
 GrowthClip::GrowthClip(const Opening& opening)
     : state_(std::make_shared<const State>(
           State{opening.state_, {opening.state_->result, opening.state_->surface}})) {}

@@ -6,8 +6,8 @@
 
 #include "craze/base/reporting_loop.h"
 #include "craze/error.h"
+#include "craze/mesh/smooth_normals.h"
 #include "craze/render/film.h"
-#include "craze/render/smooth_normals.h"
 #include "craze/render/studio.h"
 #include "craze/render/tracer.h"
 
@@ -120,10 +120,12 @@ Framed framed_picture(const SurfaceMesh& mesh, const PictureOptions& options) {
 
 /// The mesh's own normals where it has them.
 std::vector<Vec3f> shading_normals(const SurfaceMesh& mesh, double crease) {
-  if (mesh.corner_normals.size() != 3 * mesh.triangles.size()) return smooth_normals(mesh, crease);
+  const bool has_own = mesh.corner_normals.size() == 3 * mesh.triangles.size();
   std::vector<Vec3f> normals;
-  normals.reserve(mesh.corner_normals.size());
-  for (const Vec3& n : mesh.corner_normals) normals.push_back(n.cast<float>());
+  normals.reserve(3 * mesh.triangles.size());
+  for (const Vec3& n : has_own ? mesh.corner_normals : smooth_normals(mesh, crease)) {
+    normals.push_back(n.cast<float>());
+  }
   return normals;
 }
 

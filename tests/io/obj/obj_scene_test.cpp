@@ -109,6 +109,75 @@ TEST(ObjScene, AGlbHasTheColoursAndPicturesOfTheLibrary) {
   EXPECT_EQ(view["byteLength"], std::string(picture).size());
 }
 
+TEST(ObjScene, AGlbHasANodePerObject) {
+  const Shelf shelf;
+  const MeshFile file = shelf.read();
+  const std::string glb = format_mesh(file.mesh, "glb", {.scene = file.scene});
+  const auto json = nlohmann::json::parse(glb.substr(20, load<std::uint32_t>(glb.data() + 12)));
+  ASSERT_EQ(json["nodes"].size(), 2u);
+  EXPECT_EQ(json["nodes"][0]["name"], "cup/rim");
+  EXPECT_EQ(json["nodes"][1]["name"], "cup/foot");
+  const MeshFile back = read_mesh(glb, "cup.glb");
+  EXPECT_EQ(back.mesh.positions.size(), 6u);
+  EXPECT_EQ(back.mesh.object_names, file.mesh.object_names);
+}
+
+TEST(ObjScene, PicturesShowTheLibrarysLooks) {
+  const Shelf shelf;
+  const MeshFile file = shelf.read();
+  ASSERT_EQ(file.looks.size(), 2u);
+  EXPECT_EQ(file.looks[0].base_color, (Color{1, 0.5f, 0.25f, 0.5f}));
+  EXPECT_EQ(file.looks[0].texture_file, "tex/clay one.png");
+  EXPECT_EQ(file.looks[0].texture_place(0, 0), 2) << "-s";
+  EXPECT_EQ(file.looks[1].texture_file, "");
+}
+
+/// A triangle with a material "paint" twice, one with a picture that only the input holds.
+struct Painted {
+  SurfaceMesh mesh;
+  std::vector<MaterialLook> looks = std::vector<MaterialLook>(3);
+
+  Painted() {
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}};
+    mesh.face_materials = {0, 1, 3};
+    mesh.material_names = {"paint", "paint", "sky", "crack_wall"};
+    looks[0].base_color = {0.5f, 0.25f, 1, 0.5f};
+    looks[1].texture = std::make_shared<const std::string>(picture);
+    looks[1].texture_place << 2, 0, 0.5, 0, 3, -1;
+    looks[2].texture_file = "../in/sky one.png";
+  }
+};
+
+TEST(LooksLibrary, HoldsColoursAndPicturesOfAFileOfAnotherKind) {
+  const Shelf shelf;
+  const Painted painted;
+  write_mesh(shelf.out / "a.obj", painted.mesh, {.looks = &painted.looks});
+  const std::string text = read_text(shelf.out / "a.obj");
+  EXPECT_TRUE(holds(text, "mtllib a.mtl\n"));
+  EXPECT_TRUE(holds(text, "usemtl paint_2\n")) << "two materials of one name stay two";
+  const MeshFile back = read_mesh_file(shelf.out / "a.obj");
+  EXPECT_TRUE(back.warnings.empty());
+  ASSERT_EQ(back.looks.size(), 3u) << "as far as faces use them";
+  EXPECT_EQ(back.looks[0].base_color, painted.looks[0].base_color);
+  EXPECT_EQ(back.looks[1].texture_place, painted.looks[1].texture_place);
+  EXPECT_EQ(read_text(shelf.out / back.looks[1].texture_file), picture);
+  EXPECT_LT(back.looks[2].base_color[0], 0.5f) << "walls are dark";
+  const auto materials = parse_mtl(read_text(shelf.out / "a.mtl"));
+  ASSERT_EQ(materials.size(), 4u);
+  EXPECT_EQ(materials[2].color_picture, "../in/sky one.png");
+}
+
+TEST(LooksLibrary, IsNotWrittenWhereTheMeshCannotBe) {
+  const Shelf shelf;
+  const Painted painted;
+  Context stopped;
+  stopped.cancelled = [] { return true; };
+  EXPECT_THROW(write_mesh(shelf.out / "a.obj", painted.mesh, {.looks = &painted.looks}, stopped),
+               Cancelled);
+  EXPECT_TRUE(fs::is_empty(shelf.out));
+}
+
 TEST(ObjScene, ALibraryThatIsNotThereIsNamed) {
   const MeshFile file = read_mesh(cup, "cup.obj");
   ASSERT_EQ(file.warnings.size(), 1u);

@@ -2,11 +2,13 @@
 #include "craze/io/gltf/gltf.h"
 #include "craze/mesh/morph_animation.h"
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "craze/io/gltf/glb_buffer.h"
 #include "craze/io/gltf/glb_mesh.h"
 #include "craze/io/gltf/growth_clip.h"
+#include "craze/io/gltf/scene/resurfaced_scene.h"
 #include "craze/io/gltf/scene/scene_writer.h"
 #include "craze/io/polygons/float_grid.h"
 #include "craze/io/polygons/polygon_soup.h"
@@ -32,7 +34,9 @@ class GlbWriter {
 
   std::string write(const SurfaceMesh& mesh) {
     const Vec3 far = far_origin(mesh);
-    if (options_.objects.empty()) {
+    if (options_.objects.empty() && !mesh.face_objects.empty()) {
+      add_objects(mesh, far);
+    } else if (options_.objects.empty()) {
       ordered_json node{{"mesh", 0}};
       if (!far.isZero(0)) node["translation"] = to_json(far);
       add_node(std::move(node), mesh, far,
@@ -90,6 +94,24 @@ class GlbWriter {
     }
   }
 
+  /// The objects of the input, each a node; faces without are one more, without a name.
+  void add_objects(const SurfaceMesh& mesh, const Vec3& far) {
+    std::map<std::int32_t, std::vector<std::int32_t>> faces_of;
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+      faces_of[mesh.face_objects[f]].push_back(static_cast<std::int32_t>(f));
+    }
+    for (const auto& [object, faces] : faces_of) {
+      const ExtractedPart own = extract_part(mesh, faces);
+      ordered_json node = ordered_json::object();
+      if (object >= 0) node["name"] = mesh.object_names[object];
+      node["mesh"] = meshes_.size();
+      if (!far.isZero(0)) node["translation"] = to_json(far);
+      add_node(std::move(node), own.mesh, far,
+               options_.animation ? stages_of(*options_.animation, own.vertices)
+                                  : std::vector<MorphStage>{});
+    }
+  }
+
   /// What the input's materials refer to.
   void add_pictures(ordered_json& root) {
     for (std::size_t i = 0; i < library_.images.size(); ++i) {
@@ -135,7 +157,12 @@ class GlbWriter {
 
 bool keeps_scene(const MeshFileOptions& options) {
   const bool is_gltf = dynamic_cast<const GltfDocument*>(options.scene.get()) != nullptr;
-  return is_gltf && options.origin && options.objects.empty();
+  return is_gltf && options.origin;
+}
+
+bool keeps_nodes(const SurfaceMesh& mesh, const MeshFileOptions& options) {
+  const auto* document = dynamic_cast<const GltfDocument*>(options.scene.get());
+  return document && !options.animation && !mesh.face_objects.empty();
 }
 
 std::string format_glb(const SurfaceMesh& mesh, const MeshFileOptions& options,
@@ -143,6 +170,10 @@ std::string format_glb(const SurfaceMesh& mesh, const MeshFileOptions& options,
   if (keeps_scene(options)) {
     const auto& document = dynamic_cast<const GltfDocument&>(*options.scene);
     return format_scene(mesh, document, options, context);
+  }
+  if (keeps_nodes(mesh, options)) {
+    const auto& document = dynamic_cast<const GltfDocument&>(*options.scene);
+    return format_resurfaced(mesh, document, options, context);
   }
   if (mesh.corner_normals.empty()) return GlbWriter(mesh, options, context).write(mesh);
   SurfaceMesh unit = mesh;

@@ -27,8 +27,11 @@ bool is_glb(std::string_view bytes);
 bool is_gltf(std::string_view bytes);
 
 /// Whether format_glb() writes the input's scene again, with all that it had: it is of a glTF file,
-/// the mesh is cut out of its own triangles, and nothing divides it otherwise.
+/// and the mesh is cut out of its own triangles.
 bool keeps_scene(const MeshFileOptions& options);
+/// Whether it writes the scene's nodes again, showing the mesh: it is of a glTF file, faces know
+/// their objects, and nothing moves.
+bool keeps_nodes(const SurfaceMesh& mesh, const MeshFileOptions& options);
 
 /// The mesh as GLB: single precision, axes as they are, one primitive per material (a plain matt
 /// one where the mesh names none, dark for "crack_wall"), vertices copied at seams. UVs are

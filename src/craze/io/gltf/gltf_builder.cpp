@@ -75,6 +75,7 @@ void GltfBuilder::add_part(std::size_t first_face, const Placed& placed, std::si
   part.node = instance.node_index;
   part.mesh = instance.mesh;
   part.primitive = primitive;
+  part.object = object_;
   part.copy = instance.copy;
   if (placed.by_joints) part.skin = instance.skin;
   part.transform = instance.transform;

@@ -1,4 +1,6 @@
 // Format: Khronos Group, "glTF 2.0 Specification", 2021.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "craze/base/progress_meter.h"
@@ -50,6 +52,10 @@ void check_version(const Json& root, const GltfJson& json) {
   if (asset == root.end() || !asset->is_object() ||
       !json.text(*asset, "version").starts_with("2")) {
     json.fail("it is not glTF version 2");
+  }
+  const std::string least = json.text(*asset, "minVersion");
+  if (!least.empty() && least != "2.0") {
+    json.fail(fmt::format("it needs glTF version {}, and 2.0 is known here", printable(least)));
   }
 }
 

@@ -1,9 +1,10 @@
 #include "craze/io/gltf/material_library.h"
 
-#include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
+#include "craze/io/gltf/first_uvs.h"
 #include "craze/io/gltf/scene/gltf_document.h"
 #include "craze/io/image/picture_type.h"
 #include "craze/io/obj/mtl.h"
@@ -14,23 +15,6 @@ namespace craze {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// Takes out textures that ask for a UV set beyond the first.
-void keep_first_uvs(ordered_json& json) {
-  if (json.is_array()) {
-    for (ordered_json& item : json) keep_first_uvs(item);
-  }
-  if (!json.is_object()) return;
-  std::vector<std::string> gone;
-  for (auto& [key, value] : json.items()) {
-    if (value.is_object() && value.contains("index") && value.value("texCoord", 0) > 0) {
-      gone.push_back(key);
-    } else {
-      keep_first_uvs(value);
-    }
-  }
-  for (const std::string& key : gone) json.erase(key);
-}
 
 ordered_json list_of(const Json& root, const char* name) {
   return root.contains(name) ? ordered_json::parse(root[name].dump()) : ordered_json::array();
@@ -75,7 +59,13 @@ ordered_json material_of(const MtlMaterial& mtl, MaterialLibrary& library,
         {{"name", picture->first}, {"mimeType", picture_type(picture->second)}});
     library.image_bytes.push_back(picture->second);
   }
-  material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", texture->second}};
+  ordered_json& reference = material["pbrMetallicRoughness"]["baseColorTexture"];
+  reference = {{"index", texture->second}};
+  if (mtl.scale != std::array{1.0, 1.0} || mtl.shift != std::array{0.0, 0.0}) {
+    // MTL counts v upwards: 1 − v is scaled and shifted.
+    reference["extensions"]["KHR_texture_transform"] = {
+        {"offset", {mtl.shift[0], 1 - mtl.scale[1] - mtl.shift[1]}}, {"scale", mtl.scale}};
+  }
   return material;
 }
 

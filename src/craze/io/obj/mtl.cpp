@@ -2,7 +2,9 @@
 #include "craze/io/obj/mtl.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <set>
 
 namespace craze {
 
@@ -32,20 +34,27 @@ bool is_number(std::string_view word) {
   return !text.empty() && *end == '\0';
 }
 
-/// What follows the options of a picture's line.
-std::string_view picture_name(std::string_view rest) {
+/// What follows the options of a picture's line, each of which is shown: visit(option, index of the
+/// argument, argument).
+template <class Visit>
+std::string_view picture_name(std::string_view rest, Visit visit) {
   while (rest.starts_with('-')) {
     const std::string_view option = take_word(rest);
     const bool is_vector = option == "-o" || option == "-s" || option == "-t";
-    int arguments = is_vector ? 3 : option == "-mm" ? 2 : 1;
-    while (arguments-- > 0) {
+    const int arguments = is_vector ? 3 : option == "-mm" ? 2 : 1;
+    for (int i = 0; i < arguments; ++i) {
       std::string_view ahead = rest;
       const std::string_view word = take_word(ahead);
       if (is_vector && !is_number(word)) break;
+      visit(option, static_cast<std::size_t>(i), word);
       rest = ahead;
     }
   }
   return rest;
+}
+
+std::string_view picture_name(std::string_view rest) {
+  return picture_name(rest, [](std::string_view, std::size_t, std::string_view) {});
 }
 
 bool names_picture(std::string_view keyword) {
@@ -60,6 +69,11 @@ void for_each_line(std::string_view text, Visit visit) {
     visit(text.substr(0, end));
     text = text.substr(std::min(end + 1, text.size()));
   }
+}
+
+double any_number(std::string_view word) {
+  const double value = std::strtod(std::string(word).c_str(), nullptr);
+  return std::isfinite(value) ? value : 0;
 }
 
 double number_or(std::string_view word, double fallback) {
@@ -84,11 +98,33 @@ std::vector<MtlMaterial> parse_mtl(std::string_view text) {
         const double value = number_or(take_word(rest), keyword == "d" ? 1 : 0);
         material.opacity = keyword == "d" ? value : 1 - value;
       } else if (keyword == "map_Kd") {
-        material.color_picture = std::string(picture_name(rest));
+        material.scale = {1, 1};
+        material.shift = {0, 0};
+        const auto place = [&](std::string_view option, std::size_t i, std::string_view word) {
+          if (i > 1 || (option != "-s" && option != "-o")) return;
+          (option == "-s" ? material.scale : material.shift)[i] = any_number(word);
+        };
+        material.color_picture = std::string(picture_name(rest, place));
       }
     }
   });
   return materials;
+}
+
+std::vector<std::string> mtl_names(const SurfaceMesh& mesh) {
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const std::string& given : mesh.material_names) {
+    std::string name = given;
+    for (char& c : name) {
+      if (c == '\n' || c == '\r' || c == '\t') c = '_';
+    }
+    if (name.empty()) name = "material_" + std::to_string(names.size());
+    const std::string wanted = name;
+    for (int n = 2; !taken.insert(name).second; ++n) name = wanted + "_" + std::to_string(n);
+    names.push_back(std::move(name));
+  }
+  return names;
 }
 
 std::string rename_pictures(std::string_view text,

@@ -66,7 +66,7 @@ class ObjReader {
     warn_of_left_out();
     mesh.material_names = std::move(material_names_);
     mesh.object_names = std::move(object_names_);
-    keep_scene();
+    keep_scene(mesh);
     if (!colors_.empty()) {
       colors_.resize(mesh.positions.size(), Color{1, 1, 1, 1});
       mesh.vertex_colors = std::move(colors_);
@@ -213,16 +213,39 @@ class ObjReader {
   }
 
   /// Keeps what the file says besides its surface, and the pictures of its colours.
-  void keep_scene() {
+  void keep_scene(const SurfaceMesh& mesh) {
     if (scene_.libraries.empty() && scene_.objects.empty()) return;
     scene_.folder = std::filesystem::path(source_.name).parent_path();
-    for (const MtlMaterial& material : parse_mtl(scene_.materials)) {
+    const std::vector<MtlMaterial> materials = parse_mtl(scene_.materials);
+    for (const MtlMaterial& material : materials) {
       const std::string& name = material.color_picture;
       if (name.empty() || scene_.pictures.count(name)) continue;
       std::string bytes;
       if (bring(name, bytes) && !picture_type(bytes).empty()) scene_.pictures[name] = bytes;
     }
     source_.scene = std::make_shared<const ObjScene>(std::move(scene_));
+    if (source_.looks && !materials.empty()) *source_.looks = looks_of(mesh, materials);
+  }
+
+  static std::vector<MaterialLook> looks_of(const SurfaceMesh& mesh,
+                                            const std::vector<MtlMaterial>& materials) {
+    std::map<std::string, MaterialLook> known;
+    for (const MtlMaterial& material : materials) {
+      MaterialLook look;
+      for (std::size_t k = 0; k < 3; ++k)
+        look.base_color[k] = static_cast<float>(material.color[k]);
+      look.base_color[3] = static_cast<float>(material.opacity);
+      look.texture_file = material.color_picture;
+      look.texture_place << material.scale[0], 0, material.shift[0], 0, material.scale[1],
+          material.shift[1];
+      known.try_emplace(material.name, std::move(look));
+    }
+    std::vector<MaterialLook> looks;
+    for (const std::string& name : mesh.material_names) {
+      const auto found = known.find(name);
+      looks.push_back(found == known.end() ? MaterialLook{} : found->second);
+    }
+    return looks;
   }
 
   /// Faces from here on belong to "o", "g" or "o/g", by what the file has said.

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "craze/base/progress_meter.h"
+#include "craze/io/obj/mtl.h"
 #include "craze/io/obj/obj.h"
 #include "craze/io/obj/obj_scene.h"
 #include "craze/io/polygons/unify_corners.h"
@@ -21,13 +22,6 @@ std::string one_line(std::string name) {
     if (c == '\n' || c == '\r' || c == '\t') c = '_';
   }
   return name;
-}
-
-/// What `usemtl` can carry: one line, and a name at all.
-std::string material_name(const SurfaceMesh& mesh, std::int32_t material) {
-  if (material < 0) return "(null)";
-  const std::string name = one_line(mesh.material_names[material]);
-  return name.empty() ? fmt::format("material_{}", material) : name;
 }
 
 /// `o` and `g` as the file had them.
@@ -74,6 +68,7 @@ std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
   const auto* scene = dynamic_cast<const ObjScene*>(options.scene.get());
   const bool has_objects = options.objects.empty() && !mesh.face_objects.empty();
   std::int32_t material = -1, object = -1;
+  const std::vector<std::string> materials = mtl_names(mesh);
   std::size_t faces = 0;
   const auto add_face = [&](std::size_t f) {
     meter.at(mesh.positions.size() + faces++);
@@ -83,7 +78,7 @@ std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
     }
     if (!mesh.face_materials.empty() && mesh.face_materials[f] != material) {
       material = mesh.face_materials[f];
-      fmt::format_to(out, "usemtl {}\n", material_name(mesh, material));
+      fmt::format_to(out, "usemtl {}\n", material < 0 ? "(null)" : materials[material]);
     }
     text += 'f';
     for (int i = 0; i < 3; ++i) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
 
@@ -70,6 +72,15 @@ PlyElement parse_element(TextCursor& text) {
   return element;
 }
 
+void check_names(const PlyElement& element, const TextCursor& text) {
+  std::set<std::string> names;
+  for (const PlyProperty& property : element.properties) {
+    if (names.insert(property.name).second) continue;
+    text.fail(fmt::format("'{}' has the property '{}' twice", printable(element.name),
+                          printable(property.name)));
+  }
+}
+
 }  // namespace
 
 std::size_t size_of(PlyType type) {
@@ -129,6 +140,7 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
     }
   }
   if (!has_format) text.fail("the header has no format line");
+  for (const PlyElement& element : header.elements) check_names(element, text);
   text.skip_line();
   header.size = text.offset();
   // Where lines end with \r alone, a \n that follows the header is the first byte of its rows.

@@ -8,8 +8,12 @@ namespace craze {
 double float_grid(const SurfaceMesh& mesh) {
   double most = 0;
   for (const Vec3& p : mesh.positions) most = std::max(most, p.cwiseAbs().maxCoeff());
+  return float_grid(most);
+}
+
+double float_grid(double largest) {
   int exponent = 0;
-  std::frexp(most, &exponent);
+  std::frexp(largest, &exponent);
   return std::ldexp(1, exponent - 23);
 }
 

@@ -8,6 +8,8 @@ namespace craze {
 /// Numbers on this grid, and differences of two of them, are exact in single precision as long as
 /// they are no larger than the mesh's coordinates.
 double float_grid(const SurfaceMesh& mesh);
+/// The same for coordinates up to `largest`.
+double float_grid(double largest);
 
 Vec3 on_grid(const Vec3& p, double grid);
 

@@ -74,6 +74,10 @@ class Triangulator {
   void check(const SoupCorner& c, std::size_t polygon) const {
     if (in_range(c.vertex, soup_.positions.size())) return;
     // Lines belong to OBJ, which counts from 1.
+    if (c.vertex < 0) {
+      fail_input(where(polygon),
+                 fmt::format("a corner's index is none of 0 to {}", soup_.positions.size() - 1));
+    }
     const std::int64_t shown = soup_.lines.empty() ? c.vertex : std::int64_t{c.vertex} + 1;
     fail_input(where(polygon),
                fmt::format("a corner asks for vertex {} of {}", shown, soup_.positions.size()));

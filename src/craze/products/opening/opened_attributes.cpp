@@ -38,14 +38,14 @@ void add_materials(SurfaceMesh& result, const SurfaceMesh& cut_surface, const Op
 }  // namespace
 
 SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh& cut,
-                              const OpenedMesh& opened, bool keep_normals) {
+                              const OpenedMesh& opened) {
   SurfaceMesh result;
   result.metres_per_unit = cut_surface.metres_per_unit;
   result.positions = opened.mesh.positions;
   result.triangles = opened.mesh.triangles;
   const std::size_t faces = opened.beside.size();
 
-  const bool normals = keep_normals && !cut_surface.corner_normals.empty();
+  const bool normals = !cut_surface.corner_normals.empty();
   for (std::size_t f = 0; f < faces; ++f) {
     for (int i = 0; i < 3; ++i) {
       const std::int32_t source = corner_source(cut, opened, f, i);

@@ -9,9 +9,8 @@ namespace craze {
 
 /// `opened` with the attributes of `cut_surface`, which has the faces and vertices of `cut`.
 /// A wall takes the face attributes of the face that it hangs from, the UVs of its upper rim, the
-/// material "crack_wall", and source_face −1. Corner normals are kept where `keep_normals`, walls
-/// being flat; else they are left out.
+/// material "crack_wall", and source_face −1; it is flat.
 SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh& cut,
-                              const OpenedMesh& opened, bool keep_normals);
+                              const OpenedMesh& opened);
 
 }  // namespace craze

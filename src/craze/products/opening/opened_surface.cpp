@@ -10,6 +10,7 @@
 #include "craze/products/opening/bend_refinement.h"
 #include "craze/products/opening/curl.h"
 #include "craze/products/opening/opened_attributes.h"
+#include "craze/products/opening/turned_normals.h"
 
 namespace craze {
 
@@ -99,8 +100,12 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   surface.opened = open_cracks(mesh, displacement, options, context);
   context.check();
   context.report({"open", 1});
-  surface.mesh = opened_attributes(cut, mesh, surface.opened, post.curl == 0);
   surface.shut = post.gap == 0;
+  surface.curled = post.curl != 0 && !surface.shut;
+  if (surface.curled && !cut.corner_normals.empty()) {
+    cut.corner_normals = turned_normals(cut, surface.opened.mesh.positions);
+  }
+  surface.mesh = opened_attributes(cut, mesh, surface.opened);
   surface.warnings = opening_warnings(surface.opened, mesh);
   return surface;
 }

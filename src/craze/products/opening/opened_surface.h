@@ -22,6 +22,7 @@ struct OpenedSurface {
   std::shared_ptr<const TriangleMesh> refined;
   GrowthTimes times;                  ///< of the mesh that was opened
   bool shut = true;                   ///< the cracks are lines, not gaps
+  bool curled = false;                ///< its faces are bent
   std::vector<std::string> warnings;  ///< what could not be done as asked, a sentence each
 
   /// The mesh that was opened.

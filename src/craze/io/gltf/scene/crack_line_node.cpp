@@ -28,6 +28,19 @@ void animate_as(std::size_t node, std::size_t lines, Json& root) {
   }
 }
 
+std::size_t target_count(const Json& primitive) {
+  return primitive.contains("targets") ? primitive["targets"].size() : 0;
+}
+
+/// The weights of the first targets, which the part has of its own.
+void copy_weights(const Json& from, std::size_t targets, Json& to) {
+  if (targets == 0 || !from.contains("weights")) return;
+  to["weights"] = Json::array();
+  for (const Json& weight : from["weights"]) {
+    if (to["weights"].size() < targets) to["weights"].push_back(weight);
+  }
+}
+
 }  // namespace
 
 Json line_primitive(const PrimitiveSource& source, const std::vector<std::int32_t>& crack_edges,
@@ -66,12 +79,12 @@ void add_line_node(const Showing& showing, Json primitives, SceneOutput& output)
   Json& root = output.root;
   const Json& mesh = root["meshes"][showing.mesh];
   const Json& node = root["nodes"][showing.node];
+  const std::size_t targets = target_count(primitives[0]);
   Json lines{{"name", "crack_lines"}, {"primitives", std::move(primitives)}};
-  if (mesh.contains("weights")) lines["weights"] = mesh["weights"];
   Json shown{{"name", "crack_lines"}, {"mesh", root["meshes"].size()}};
-  for (const char* key : {"skin", "weights"}) {
-    if (node.contains(key)) shown[key] = node[key];
-  }
+  if (node.contains("skin")) shown["skin"] = node["skin"];
+  copy_weights(mesh, targets, lines);
+  copy_weights(node, targets, shown);
   const std::size_t number = root["nodes"].size();
   root["meshes"].push_back(std::move(lines));
   root["nodes"].push_back(std::move(shown));

@@ -9,7 +9,8 @@
 namespace craze {
 
 CutScene::CutScene(const GltfDocument& document, const SurfaceMesh& mesh,
-                   const SurfaceOrigin& origin, const std::vector<std::int32_t>& crack_edges)
+                   const SurfaceOrigin& origin, const std::vector<std::int32_t>& crack_edges,
+                   bool is_apart)
     : document_(document), mesh_(mesh), origin_(origin), parts_(document.parts().size()) {
   Eigen::AlignedBox3d box;
   for (const Vec3& p : document.positions()) box.extend(p);
@@ -28,7 +29,8 @@ CutScene::CutScene(const GltfDocument& document, const SurfaceMesh& mesh,
     parts_[document.part_of(origin.face[h / 3])].crack_edges.push_back(h);
   }
   for (std::size_t p = 0; p < parts_.size(); ++p) {
-    parts_[p].is_changed = is_changed(document.parts()[p], parts_[p]);
+    parts_[p].is_changed =
+        (is_apart && !parts_[p].faces.empty()) || is_changed(document.parts()[p], parts_[p]);
   }
 }
 

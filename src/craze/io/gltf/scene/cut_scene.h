@@ -16,14 +16,15 @@ struct PartFaces {
   std::vector<std::int32_t> faces;  ///< by the document's triangle
   std::vector<std::int32_t> walls;
   std::vector<std::int32_t> crack_edges;  ///< halfedges 3f+i along shut cracks, one a crack
-  bool is_changed = false;                ///< cut, moved, or with walls
+  bool is_changed = false;                ///< cut, moved, with walls, or to be taken apart
 };
 
 class CutScene {
  public:
   /// All must outlive this. crack_edges: halfedges 3f+i of the mesh, faces below the walls.
+  /// is_apart: every part of which the mesh has something counts as changed.
   CutScene(const GltfDocument& document, const SurfaceMesh& mesh, const SurfaceOrigin& origin,
-           const std::vector<std::int32_t>& crack_edges);
+           const std::vector<std::int32_t>& crack_edges, bool is_apart);
 
   const GltfDocument& document() const { return document_; }
   const SurfaceMesh& mesh() const { return mesh_; }

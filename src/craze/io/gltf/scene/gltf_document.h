@@ -21,6 +21,7 @@ struct GltfPart {
   std::int32_t first_face = 0, end_face = 0;  ///< of the mesh that was read
   std::int32_t first_vertex = 0;              ///< the mesh's vertex that is the primitive's first
   std::size_t node = 0, mesh = 0, primitive = 0;
+  std::int32_t object = -1;         ///< of the mesh that was read: the node's
   std::optional<std::size_t> copy;  ///< of a node that EXT_mesh_gpu_instancing shows many times
   std::optional<std::size_t> skin;  ///< which places the vertices instead of `transform`
   Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();

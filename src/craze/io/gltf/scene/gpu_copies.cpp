@@ -35,21 +35,6 @@ bool shows_copies(const Json& nodes) {
   });
 }
 
-void forget_extension(Json& root) {
-  for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
-    if (!root.contains(list)) continue;
-    Json kept = Json::array();
-    for (const Json& name : root[list]) {
-      if (name != Json(instancing)) kept.push_back(name);
-    }
-    if (kept.empty()) {
-      root.erase(list);
-    } else {
-      root[list] = std::move(kept);
-    }
-  }
-}
-
 }  // namespace
 
 SeparatedCopies separate_copies(const Json& document, std::size_t node,
@@ -87,7 +72,7 @@ SeparatedCopies separate_copies(const Json& document, std::size_t node,
     for (const char* key : {"mesh", "weights"}) parent.erase(key);
     parent["extensions"].erase(instancing);
     if (parent["extensions"].empty()) parent.erase("extensions");
-    if (!shows_copies(nodes)) forget_extension(output.root);
+    if (!shows_copies(nodes)) output.forget_extension(instancing);
     return separated;
   }
   Json& left = parent["extensions"][instancing]["attributes"];

@@ -47,6 +47,26 @@ void PrimitiveVertices::read(const std::string& name, const Json& accessor,
   attributes_.emplace(name, std::move(elements));
 }
 
+PrimitiveVertices::PrimitiveVertices(const PrimitiveVertices& from,
+                                     const std::vector<std::size_t>& vertices)
+    : primitive_(from.primitive_), place_(from.place_) {
+  const auto picked = [&](const GltfElements& elements) {
+    GltfElements some = elements;
+    some.bytes.clear();
+    for (const std::size_t v : vertices) {
+      some.bytes.append(elements.bytes, v * elements.size(), elements.size());
+    }
+    some.count = vertices.size();
+    return some;
+  };
+  for (const auto& [name, elements] : from.attributes_) attributes_.emplace(name, picked(elements));
+  for (const JointSet& set : from.sets_) sets_.push_back({picked(set.joints), picked(set.weights)});
+  for (const Attributes& target : from.targets_) {
+    targets_.emplace_back();
+    for (const auto& [name, elements] : target) targets_.back().emplace(name, picked(elements));
+  }
+}
+
 PartPlacement PrimitiveVertices::placement() const {
   return {place_.part, place_.joints, place_.joints.empty() ? none_ : sets_};
 }
@@ -121,10 +141,31 @@ void PrimitiveVertices::set_normals(const std::vector<Vec3>& normals) {
   elements.components = 3;
   const PartPlacement placed = placement();
   for (std::size_t v = 0; v < normals.size(); ++v) {
-    const Vec3 n = placed.normal_to_local(v, normals[v]);
+    Vec3 n = placed.normal_to_local(v, normals[v]);
+    if (n.isZero(0)) n = Vec3::UnitZ();  // of a face without area; it must be unit
     elements.append(n.data());
   }
   set("NORMAL", std::move(elements));
+}
+
+void PrimitiveVertices::turn_normal(std::size_t vertex, const Vec3& normal) {
+  constexpr double unnoticed = 1e-6;
+  GltfElements& normals = attributes_.at("NORMAL");
+  const Vec3 n = placement().normal_to_local(vertex, normal);
+  if ((n - vector(normals, vertex).normalized()).norm() < unnoticed) return;
+  normals.set(vertex, n.data());
+  const auto tangents = attributes_.find("TANGENT");
+  if (tangents == attributes_.end() || tangents->second.components != 4) return;
+  const Vec3 old = vector(tangents->second, vertex), along = old - old.dot(n) * n;
+  if (along.isZero(0)) return;
+  const Eigen::Vector4d turned =
+      (Eigen::Vector4d() << along.normalized(), tangents->second.value(vertex, 3)).finished();
+  tangents->second.set(vertex, turned.data());
+}
+
+void PrimitiveVertices::set_position(std::size_t vertex, const Vec3& p) {
+  check_range(p);
+  attributes_.at("POSITION").set(vertex, p.data());
 }
 
 void PrimitiveVertices::set(const std::string& name, GltfElements elements) {

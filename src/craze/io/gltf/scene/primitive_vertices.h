@@ -41,6 +41,9 @@ class PrimitiveVertices {
     }
   }
 
+  /// Some vertices of another's.
+  PrimitiveVertices(const PrimitiveVertices& from, const std::vector<std::size_t>& vertices);
+
   std::size_t count() const { return positions().count; }
   /// Appends vertices where the cut mesh has them, between old ones that have not been moved.
   void append(const CutScene& cut, const std::vector<CutVertices::Vertex>& vertices);
@@ -52,10 +55,18 @@ class PrimitiveVertices {
   void shift(std::size_t vertex, const Vec3& by);
   /// Sets normals, by vertex, in the scene.
   void set_normals(const std::vector<Vec3>& normals);
+  bool has_normals() const { return attributes_.count("NORMAL") > 0; }
+  /// Gives a vertex another normal, in the scene, and a tangent square to it; what it has already
+  /// is kept to the bit.
+  void turn_normal(std::size_t vertex, const Vec3& normal);
+  /// Of a vertex, in the axes that the file gives it in.
+  Vec3 position(std::size_t vertex) const;
+  void set_position(std::size_t vertex, const Vec3& p);
   /// Adds or replaces an attribute.
   void set(const std::string& name, GltfElements elements);
   /// Adds a target that shifts vertices in the scene; those not named stay.
   void add_target(const std::vector<std::pair<std::size_t, Vec3>>& shifts);
+  std::size_t target_count() const { return targets_.size(); }
   /// Every target moves positions, if only by nothing.
   void complete_targets();
 
@@ -68,7 +79,6 @@ class PrimitiveVertices {
 
   void read(const std::string& name, const Json& accessor, GltfAccessors& accessors);
   const GltfElements& positions() const { return attributes_.at("POSITION"); }
-  Vec3 position(std::size_t vertex) const;
   /// What the targets have moved a vertex by.
   Vec3 morph(std::size_t vertex) const;
   PartPlacement placement() const;

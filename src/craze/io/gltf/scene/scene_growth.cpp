@@ -1,8 +1,7 @@
 #include "craze/io/gltf/scene/scene_growth.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <map>
 
 #include "craze/io/gltf/growth_clip.h"
 
@@ -10,11 +9,18 @@ namespace craze {
 
 namespace {
 
-bool has_targets(const Json& mesh) {
-  const Json& primitives = mesh["primitives"];
-  return std::any_of(primitives.begin(), primitives.end(), [](const Json& primitive) {
-    return primitive.contains("targets") && !primitive["targets"].empty();
-  });
+std::size_t target_count(const Json& primitive) {
+  const auto targets = primitive.find("targets");
+  return targets == primitive.end() ? 0 : targets->size();
+}
+
+/// The default weights of n targets; those that are not given are 0.
+std::vector<float> default_weights(const Json& holder, std::size_t n) {
+  std::vector<float> weights(n, 0.0f);
+  const auto given = holder.find("weights");
+  if (given == holder.end()) return weights;
+  for (std::size_t k = 0; k < std::min(n, given->size()); ++k) weights[k] = (*given)[k];
+  return weights;
 }
 
 GltfElements scalars(const std::vector<float>& numbers) {
@@ -26,24 +32,44 @@ GltfElements scalars(const std::vector<float>& numbers) {
   return elements;
 }
 
+std::size_t channels_with(std::size_t sampler, const Json& animation) {
+  const Json& channels = animation["channels"];
+  const auto uses = std::count_if(channels.begin(), channels.end(), [&](const Json& channel) {
+    return channel["sampler"] == Json(sampler);
+  });
+  return static_cast<std::size_t>(uses);
+}
+
+/// Rows of `from` weights with zeros for as many more as there are `to`.
+GltfElements widened(const GltfElements& weights, std::size_t from, std::size_t to) {
+  GltfElements wide = weights;
+  wide.bytes.clear();
+  wide.count = 0;
+  for (std::size_t row = 0; row < weights.count / from; ++row) {
+    const std::size_t size = from * weights.size();
+    wide.bytes += weights.bytes.substr(row * size, size);
+    wide.bytes.append((to - from) * weights.size(), '\0');
+    wide.count += to;
+  }
+  return wide;
+}
+
 }  // namespace
 
 void SceneGrowth::begin(const Showing& showing, const SceneOutput& output) {
   showing_ = showing;
-  moves_ = !has_targets(output.root["meshes"][showing.mesh]);
-  if (moves_) {
-    nodes_.push_back(showing.node);
-    return;
+  own_ = 0;
+  const Json& mesh = output.root["meshes"][showing.mesh];
+  for (const Json& primitive : mesh["primitives"]) {
+    own_ = std::max(own_, target_count(primitive));
   }
   const Json& node = output.root["nodes"][showing.node];
-  if (!warn_) return;
-  warn_(fmt::format("the cracks of '{}' do not grow, since it has morph targets of its own",
-                    node.value("name", fmt::format("node_{}", showing.node))));
+  nodes_.push_back({showing.node, default_weights(node.contains("weights") ? node : mesh, own_)});
 }
 
 void SceneGrowth::add_targets(PrimitiveVertices& vertices,
                               const std::vector<std::int32_t>& owner) const {
-  if (!moves_) return;
+  while (vertices.target_count() < own_) vertices.add_target({});
   for (const MorphStage& stage : animation_.stages) {
     std::vector<std::pair<std::size_t, Vec3>> shifts;
     for (std::size_t v = 0; v < owner.size(); ++v) {
@@ -57,39 +83,90 @@ void SceneGrowth::add_targets(PrimitiveVertices& vertices,
 }
 
 void SceneGrowth::end(SceneOutput& output) {
-  if (!moves_) return;
   Json& mesh = output.root["meshes"][showing_.mesh];
-  const std::size_t stages = animation_.stages.size();
+  Json& node = output.root["nodes"][showing_.node];
+  const std::size_t all = own_ + animation_.stages.size();
   for (Json& primitive : mesh["primitives"]) {
-    if (primitive.contains("targets") && !primitive["targets"].empty()) continue;
+    const std::size_t has = target_count(primitive);
+    if (has >= all) continue;
     const Json& positions = output.accessor(primitive["attributes"]["POSITION"].get<std::size_t>());
     GltfElements still;
     still.components = 3;
     still.count = positions["count"].get<std::size_t>();
     still.bytes.assign(still.count * still.size(), '\0');
     const Json target{{"POSITION", output.add_sparse(still, &positions)}};
-    primitive["targets"] = Json(stages, target);
+    for (std::size_t k = has; k < all; ++k) primitive["targets"].push_back(target);
   }
-  mesh["weights"] = Json(stages, 0);
+  for (Json* holder : {&mesh, &node}) {
+    if (holder == &node && !node.contains("weights")) continue;
+    std::vector<float> weights = default_weights(*holder, own_);
+    weights.resize(all, 0.0f);
+    (*holder)["weights"] = weights;
+  }
   if (mesh.contains("extras") && !mesh["extras"].is_object()) return;  // they may be anything
-  for (std::size_t k = 0; k < stages; ++k) {
-    mesh["extras"]["targetNames"].push_back("before_" + std::to_string(k + 1));
+  Json& names = mesh["extras"]["targetNames"];
+  if (own_ > 0 && (!names.is_array() || names.size() != own_)) {
+    names = Json::array();
+    for (std::size_t k = 0; k < own_; ++k) names.push_back("target_" + std::to_string(k));
+  }
+  for (std::size_t k = 0; k < animation_.stages.size(); ++k) {
+    names.push_back("before_" + std::to_string(k + 1));
   }
 }
 
-void SceneGrowth::finish(SceneOutput& output) const {
-  if (nodes_.empty()) return;
+Json SceneGrowth::add_sampler(const std::vector<float>& own_weights, SceneOutput& output) const {
   const GrowthClipKeys clip = growth_clip_keys(animation_);
-  const Json bounded{{"min", 0}};
-  Json animation{{"name", "growth"}, {"channels", Json::array()}};
-  for (const std::size_t node : nodes_) {
-    animation["channels"].push_back(
-        {{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}});
+  const std::size_t stages = animation_.stages.size();
+  std::vector<float> weights;
+  for (std::size_t key = 0; key < clip.seconds.size(); ++key) {
+    weights.insert(weights.end(), own_weights.begin(), own_weights.end());
+    const auto first = clip.weights.begin() + static_cast<std::ptrdiff_t>(key * stages);
+    weights.insert(weights.end(), first, first + static_cast<std::ptrdiff_t>(stages));
   }
-  animation["samplers"] =
-      Json::array({{{"input", output.add(scalars(clip.seconds), SceneOutput::Use::plain, &bounded)},
-                    {"interpolation", "LINEAR"},
-                    {"output", output.add(scalars(clip.weights), SceneOutput::Use::plain)}}});
+  const Json bounded{{"min", 0}};
+  return {{"input", output.add(scalars(clip.seconds), SceneOutput::Use::plain, &bounded)},
+          {"interpolation", "LINEAR"},
+          {"output", output.add(scalars(weights), SceneOutput::Use::plain)}};
+}
+
+/// Whatever moves the node's own targets says that the cracks are open.
+void SceneGrowth::widen_animations(const MovingNode& moving, GltfAccessors& accessors,
+                                   SceneOutput& output) const {
+  const std::size_t own = moving.own_weights.size();
+  if (own == 0 || !output.root.contains("animations")) return;
+  for (Json& animation : output.root["animations"]) {
+    for (Json& channel : animation["channels"]) {
+      const Json& target = channel["target"];
+      if (!target.contains("node") || target["node"] != Json(moving.node)) continue;
+      if (target.value("path", "") != "weights") continue;
+      const auto number = channel["sampler"].get<std::size_t>();
+      Json sampler = animation["samplers"][number];
+      const auto old = sampler["output"].get<std::size_t>();
+      sampler["output"] =
+          output.add(widened(accessors.elements(old), own, own + animation_.stages.size()),
+                     SceneOutput::Use::plain, &output.accessor(old));
+      if (channels_with(number, animation) == 1) {
+        animation["samplers"][number] = std::move(sampler);
+      } else {
+        channel["sampler"] = animation["samplers"].size();
+        animation["samplers"].push_back(std::move(sampler));
+      }
+    }
+  }
+}
+
+void SceneGrowth::finish(GltfAccessors& accessors, SceneOutput& output) const {
+  if (nodes_.empty()) return;
+  Json animation{{"name", "growth"}, {"channels", Json::array()}, {"samplers", Json::array()}};
+  std::map<std::vector<float>, std::size_t> samplers;
+  for (const MovingNode& moving : nodes_) {
+    const auto [found, is_new] =
+        samplers.try_emplace(moving.own_weights, animation["samplers"].size());
+    if (is_new) animation["samplers"].push_back(add_sampler(moving.own_weights, output));
+    animation["channels"].push_back(
+        {{"sampler", found->second}, {"target", {{"node", moving.node}, {"path", "weights"}}}});
+    widen_animations(moving, accessors, output);
+  }
   if (!output.root.contains("animations")) output.root["animations"] = Json::array();
   output.root["animations"].push_back(std::move(animation));
 }

@@ -2,9 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <set>
-#include <string>
 #include <vector>
 
 #include "craze/io/gltf/scene/primitive_vertices.h"
@@ -15,12 +12,13 @@
 namespace craze {
 
 /// Morph targets that take back what each stage of a clip does, and the animation that plays them.
-/// A part that has morph targets of its own stays open all the time, and its name is told.
+/// They come after those that a part has of its own. Each animation says the weights of all targets
+/// of a node: the growth leaves the part's own at their defaults, and the animations that the scene
+/// has leave the cracks open.
 class SceneGrowth {
  public:
-  /// Both must outlive this.
-  SceneGrowth(const MorphAnimation& animation, const std::function<void(const std::string&)>& warn)
-      : animation_(animation), warn_(warn) {}
+  /// Must outlive this.
+  explicit SceneGrowth(const MorphAnimation& animation) : animation_(animation) {}
 
   /// Says whose vertices come next.
   void begin(const Showing& showing, const SceneOutput& output);
@@ -28,15 +26,23 @@ class SceneGrowth {
   void add_targets(PrimitiveVertices& vertices, const std::vector<std::int32_t>& owner) const;
   /// Gives the other primitives of the mesh as many targets, which do nothing.
   void end(SceneOutput& output);
-  /// Adds the animation.
-  void finish(SceneOutput& output) const;
+  /// Adds the animation. `accessors`: of the document.
+  void finish(GltfAccessors& accessors, SceneOutput& output) const;
 
  private:
+  struct MovingNode {
+    std::size_t node = 0;
+    std::vector<float> own_weights;  ///< of its own targets
+  };
+
+  Json add_sampler(const std::vector<float>& own_weights, SceneOutput& output) const;
+  void widen_animations(const MovingNode& moving, GltfAccessors& accessors,
+                        SceneOutput& output) const;
+
   const MorphAnimation& animation_;
-  const std::function<void(const std::string&)>& warn_;
   Showing showing_;
-  bool moves_ = false;
-  std::vector<std::size_t> nodes_;  ///< that move
+  std::size_t own_ = 0;  ///< targets of the mesh at hand before
+  std::vector<MovingNode> nodes_;
 };
 
 }  // namespace craze

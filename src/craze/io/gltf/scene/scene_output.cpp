@@ -206,6 +206,21 @@ std::size_t SceneOutput::add_indices(const std::vector<std::uint32_t>& indices,
   return add(elements, Use::indices);
 }
 
+void SceneOutput::forget_extension(const char* name) {
+  for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+    if (!root.contains(list)) continue;
+    Json kept = Json::array();
+    for (const Json& used : root[list]) {
+      if (used != Json(name)) kept.push_back(used);
+    }
+    if (kept.empty()) {
+      root.erase(list);
+    } else {
+      root[list] = std::move(kept);
+    }
+  }
+}
+
 void SceneOutput::use_extension(const char* name) {
   Json& used = list(root, "extensionsUsed");
   if (std::find(used.begin(), used.end(), Json(name)) == used.end()) used.push_back(name);

@@ -35,6 +35,8 @@ class SceneOutput {
                           std::size_t least);
   /// Names an extension among those used.
   void use_extension(const char* name);
+  /// Names it among them no more.
+  void forget_extension(const char* name);
 
   /// The file. Throws Error(request) for more than 4 GB.
   std::string pack();

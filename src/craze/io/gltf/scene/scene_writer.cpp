@@ -10,10 +10,12 @@
 #include "craze/io/gltf/gltf_skin.h"
 #include "craze/io/gltf/line_lifts.h"
 #include "craze/io/gltf/scene/crack_primitives.h"
+#include "craze/io/gltf/scene/fragment_nodes.h"
 #include "craze/io/gltf/scene/primitive_vertices.h"
 #include "craze/io/gltf/scene/scene_growth.h"
 #include "craze/io/gltf/scene/scene_materials.h"
 #include "craze/io/gltf/scene/showings.h"
+#include "craze/mesh/mesh_parts.h"
 
 namespace craze {
 
@@ -28,7 +30,7 @@ class SceneWriter {
       : document_(document),
         options_(options),
         context_(context),
-        cut_(document, mesh, *options.origin, options.crack_edges),
+        cut_(document, mesh, *options.origin, options.crack_edges, !options.objects.empty()),
         output_(document),
         name_("the scene"),
         accessors_(document.root(), document.bin(), no_files_, document.bin().size() + most_zeros,
@@ -38,13 +40,17 @@ class SceneWriter {
   std::string write() {
     const std::vector<Showing> showings = separate_showings(cut_, accessors_, output_);
     std::optional<SceneGrowth> growth;
-    if (options_.animation) growth.emplace(*options_.animation, options_.warn);
+    if (options_.animation) growth.emplace(*options_.animation);
     ProgressMeter meter(context_, "write", showings.size(), 1);
     for (std::size_t i = 0; i < showings.size(); ++i) {
       meter.at(i);
-      write_showing(showings[i], growth ? &*growth : nullptr);
+      if (options_.objects.empty()) {
+        write_showing(showings[i], growth ? &*growth : nullptr);
+      } else {
+        write_apart(showings[i], growth ? &*growth : nullptr);
+      }
     }
-    if (growth) growth->finish(output_);
+    if (growth) growth->finish(accessors_, output_);
     return output_.pack();
   }
 
@@ -69,8 +75,7 @@ class SceneWriter {
         const PartFaces& own = cut_.parts()[p];
         edges.insert(edges.end(), own.crack_edges.begin(), own.crack_edges.end());
         if (own.walls.empty()) continue;
-        if (!wall_material_) wall_material_ = add_wall_material(output_);
-        walls.push_back(wall_primitive(source, own.walls, *wall_material_, growth, output_));
+        walls.push_back(wall_primitive(source, own.walls, wall_material(), growth, output_));
       }
       if (edges.empty()) continue;
       if (!line_style_)
@@ -84,6 +89,38 @@ class SceneWriter {
     if (!lines.empty()) add_line_node(showing, std::move(lines), output_);
   }
 
+  /// As fragments.
+  void write_apart(const Showing& showing, SceneGrowth* growth) {
+    const Attribute& numbers = part_numbers(cut_.mesh(), options_.objects);
+    std::vector<LoosePart> loose;
+    std::vector<std::size_t> taken;
+    bool is_skinned = true;
+    for (const std::size_t p : showing.parts) {
+      const GltfPart& part = document_.parts()[p];
+      const PartFaces& own = cut_.parts()[p];
+      if (own.faces.empty()) continue;
+      taken.push_back(part.primitive);
+      is_skinned = is_skinned && part.skin;
+      const std::vector<double> weights = weights_of(part);
+      const PrimitiveSource source{
+          cut_, primitive_of(part), {part, joints_of(part), weights}, accessors_};
+      const auto add = [&](const std::vector<std::int32_t>& faces, LoosePrimitive::Kind kind) {
+        if (faces.empty()) return;
+        loose.push_back({{source, faces, kind, options_.bent}, {}, {}});
+        for (const std::int32_t f : faces) loose.back().fragment.push_back(numbers.values[f]);
+      };
+      add(own.faces, LoosePrimitive::Kind::faces);
+      add(own.walls, LoosePrimitive::Kind::walls);
+      if (!own.walls.empty()) loose.back().material = wall_material();
+    }
+    add_fragment_nodes(showing, loose, taken, options_.objects, is_skinned, growth, output_);
+  }
+
+  std::size_t wall_material() {
+    if (!wall_material_) wall_material_ = add_wall_material(output_);
+    return *wall_material_;
+  }
+
   /// The cut primitives that share these vertices.
   void write_group(const std::vector<std::size_t>& parts, const Json& primitive,
                    const PrimitivePlace& place, std::size_t mesh, SceneGrowth* growth) {
@@ -91,9 +128,13 @@ class SceneWriter {
                                [](const std::string&) { return true; });
     CutVertices numbers(vertices.count());
     std::vector<std::vector<std::uint32_t>> indices;
-    for (const std::size_t p : parts) indices.push_back(indices_of(p, numbers));
+    std::map<std::uint32_t, Vec3> normals;
+    for (const std::size_t p : parts) indices.push_back(indices_of(p, numbers, normals));
     vertices.append(cut_, numbers.added());
     vertices.move(cut_, numbers.owner());
+    if (options_.bent && vertices.has_normals()) {
+      for (const auto& [v, normal] : normals) vertices.turn_normal(v, normal);
+    }
     std::vector<std::int32_t> owner = numbers.owner();
     for (const CutVertices::Vertex& added : numbers.added()) owner.push_back(added.of);
     add_crack_attributes(cut_, owner, vertices);
@@ -106,15 +147,15 @@ class SceneWriter {
       made["attributes"] = attributes;
       if (!targets.empty()) made["targets"] = targets;
       made["indices"] = output_.add_indices(indices[k], vertices.count(), index_type(part));
-      made.erase("mode");
-      if (made.contains("extensions")) made["extensions"].erase("KHR_draco_mesh_compression");
-      if (made.contains("extensions") && made["extensions"].empty()) made.erase("extensions");
+      forget_form(made);
     }
   }
 
   /// The triangles of the cut mesh, and those of the document that it left out, in the document's
-  /// order.
-  std::vector<std::uint32_t> indices_of(std::size_t p, CutVertices& numbers) const {
+  /// order. `normals` gets those that the cut mesh has at each vertex.
+  std::vector<std::uint32_t> indices_of(std::size_t p, CutVertices& numbers,
+                                        std::map<std::uint32_t, Vec3>& normals) const {
+    const std::vector<Vec3>& corner_normals = cut_.mesh().corner_normals;
     const GltfPart& part = document_.parts()[p];
     const std::vector<std::int32_t>& faces = cut_.parts()[p].faces;
     std::vector<std::uint32_t> indices;
@@ -128,6 +169,10 @@ class SceneWriter {
         for (const int i : cut_.order(part, *next)) {
           const std::int32_t v = cut_.mesh().triangles[*next][static_cast<std::size_t>(i)];
           indices.push_back(numbers.number(cut_.blend(part, *next, i), v));
+          if (!options_.bent || corner_normals.empty()) continue;
+          normals.emplace(
+              indices.back(),
+              corner_normals[3 * static_cast<std::size_t>(*next) + static_cast<std::size_t>(i)]);
         }
       }
     }

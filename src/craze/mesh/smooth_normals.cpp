@@ -1,4 +1,4 @@
-#include "craze/render/smooth_normals.h"
+#include "craze/mesh/smooth_normals.h"
 
 #include <algorithm>
 #include <numbers>
@@ -7,7 +7,7 @@
 
 #include "craze/base/elementary.h"
 
-namespace craze::render {
+namespace craze {
 
 namespace {
 
@@ -70,7 +70,7 @@ struct CornersByPlace {
 
 }  // namespace
 
-std::vector<Vec3f> smooth_normals(const SurfaceMesh& mesh, double crease) {
+std::vector<Vec3> smooth_normals(const SurfaceMesh& mesh, double crease) {
   const std::size_t corners = 3 * mesh.triangles.size();
   std::vector<Vec3> face_normal(mesh.triangles.size()), sum(corners, Vec3::Zero());
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
@@ -99,11 +99,11 @@ std::vector<Vec3f> smooth_normals(const SurfaceMesh& mesh, double crease) {
     const double angle = elementary::atan2((q - p).cross(r - p).norm(), (q - p).dot(r - p));
     sum[joined.root(static_cast<std::int32_t>(c))] += angle * face_normal[c / 3];
   }
-  std::vector<Vec3f> normals(corners);
+  std::vector<Vec3> normals(corners);
   for (std::size_t c = 0; c < corners; ++c) {
-    normals[c] = unit_or_zero(sum[joined.root(static_cast<std::int32_t>(c))]).cast<float>();
+    normals[c] = unit_or_zero(sum[joined.root(static_cast<std::int32_t>(c))]);
   }
   return normals;
 }
 
-}  // namespace craze::render
+}  // namespace craze

@@ -1,10 +1,10 @@
-#include "craze/render/smooth_normals.h"
+#include "craze/mesh/smooth_normals.h"
 
 #include <gtest/gtest.h>
 
 #include "products/distance/surfaces.h"
 
-namespace craze::render {
+namespace craze {
 namespace {
 
 SurfaceMesh cube() {
@@ -17,7 +17,7 @@ SurfaceMesh cube() {
 
 TEST(SmoothNormals, StayFlatAcrossACreaseAndRoundBelowIt) {
   const SurfaceMesh mesh = cube();
-  const std::vector<Vec3f> sharp = smooth_normals(mesh, 50), round = smooth_normals(mesh, 100);
+  const std::vector<Vec3> sharp = smooth_normals(mesh, 50), round = smooth_normals(mesh, 100);
   for (std::size_t c = 0; c < sharp.size(); ++c) {
     EXPECT_NEAR(sharp[c].cwiseAbs().maxCoeff(), 1, 1e-6);
     // Angle weights make a cube's corner symmetric, however its faces are divided.
@@ -30,13 +30,13 @@ TEST(SmoothNormals, PointOutwardsOnATorus) {
   SurfaceMesh mesh;
   mesh.positions = torus.positions();
   mesh.triangles = torus.triangles();
-  const std::vector<Vec3f> normals = smooth_normals(mesh, 50);
+  const std::vector<Vec3> normals = smooth_normals(mesh, 50);
   for (std::size_t c = 0; c < normals.size(); ++c) {
     const Vec3& p = mesh.positions[mesh.triangles[c / 3][c % 3]];
     const Vec3 centre = Vec3(p.x(), 0, p.z()).normalized();
-    EXPECT_GT(normals[c].cast<double>().dot((p - centre).normalized()), 0.999);
+    EXPECT_GT(normals[c].dot((p - centre).normalized()), 0.999);
   }
 }
 
 }  // namespace
-}  // namespace craze::render
+}  // namespace craze

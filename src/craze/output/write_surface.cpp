@@ -1,0 +1,82 @@
+#include "craze/output/write_surface.h"
+
+#include <numeric>
+
+#include "craze/io/files/extension.h"
+#include "craze/products/opening/crack_edges.h"
+#include "craze/products/opening/opened_origin.h"
+#include "craze/products/opening/shading_normals.h"
+#include "craze/recipe/own_lengths.h"
+#include "craze/surface_origin.h"
+#include "craze/write_mesh.h"
+
+namespace craze {
+
+namespace {
+
+UpAxis up_axis(UpAxis wanted, const SourceFile& source) {
+  return wanted == UpAxis::automatic && is_shape(source.name) ? UpAxis::z : wanted;
+}
+
+/// What both have; `looks` holds those that the options refer to.
+MeshFileOptions options_of(const std::string& path, const SourceFile& source,
+                           const SurfaceFileOptions& options, std::vector<MaterialLook>& looks) {
+  looks = looks_from(source.looks, source.name, path);
+  MeshFileOptions file;
+  if (!looks.empty()) file.looks = &looks;
+  file.objects = options.objects;
+  file.animation = options.animation;
+  file.scene = source.scene;
+  file.warn = options.warn;
+  return file;
+}
+
+/// Every face is where it was.
+SurfaceOrigin unmoved(const SurfaceMesh& mesh) {
+  SurfaceOrigin origin;
+  origin.face.resize(mesh.triangles.size());
+  std::iota(origin.face.begin(), origin.face.end(), 0);
+  for (std::size_t c = 0; c < 3 * mesh.triangles.size(); ++c) {
+    origin.weights.push_back(Vec3::Unit(static_cast<int>(c % 3)));
+  }
+  origin.wall_begin = static_cast<std::int32_t>(mesh.triangles.size());
+  return origin;
+}
+
+}  // namespace
+
+void write_surface(const std::string& path, const SurfaceMesh& mesh, const OpenedSurface& shown,
+                   const Result& result, const SourceFile& source,
+                   const SurfaceFileOptions& options, const Context& context) {
+  const Recipe& recipe = result.report().recipe;
+  std::vector<MaterialLook> looks;
+  MeshFileOptions file = options_of(path, source, options, looks);
+  file.up = up_axis(recipe.picture.up, source);
+  file.metres_per_unit = metres_per_unit(mesh, recipe);
+  const SurfaceOrigin origin = opened_origin(result, shown);
+  if (!origin.face.empty()) file.origin = &origin;
+  file.bent = shown.curled;
+  if (shown.shut && options.objects.empty() && recipe.post.lines != ShutCracks::none) {
+    file.crack_edges = crack_edges(result, shown);
+  }
+  if (lower_extension(path) != ".glb" || !mesh.corner_normals.empty()) {
+    write_mesh(path, mesh, file, context);
+    return;
+  }
+  // Viewers shade a GLB without normals flat.
+  SurfaceMesh shaded = mesh;
+  shaded.corner_normals = shading_normals(shown, result, options.crease);
+  write_mesh(path, shaded, file, context);
+}
+
+void write_surface(const std::string& path, const SurfaceMesh& mesh, const SourceFile& source,
+                   const SurfaceFileOptions& options, const Context& context) {
+  std::vector<MaterialLook> looks;
+  MeshFileOptions file = options_of(path, source, options, looks);
+  file.up = up_axis(UpAxis::automatic, source);
+  const SurfaceOrigin origin = unmoved(mesh);
+  file.origin = &origin;
+  write_mesh(path, mesh, file, context);
+}
+
+}  // namespace craze
