@@ -8,6 +8,7 @@
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/load_surface.h"
 #include "craze/job/load_textures.h"
+#include "craze/job/mapped_output.h"
 #include "craze/job/material_looks.h"
 #include "craze/job/outputs.h"
 #include "craze/model/simulation.h"
@@ -79,6 +80,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   Stopwatch total, phase;
   Loaded loaded = load(request, context);
   if (!request.maps.folder.empty()) check_uvs(*loaded.input.surface);
+  if (request.as_maps) check_mappable(*loaded.input.surface, loaded.beside.scene.get());
   const double load_time = phase.lap();
 
   const Result result =
