@@ -158,3 +158,56 @@ def test_a_cracked_object_follows_the_sliders_and_the_latest_wish_wins():
         bpy.ops.ed.undo()
     yield 0.3
     check(shape() == opened, "undo does not lead back to what was before the slider")
+
+
+def test_what_is_made_of_a_cracked_object_is_one_undo_step_each():
+    scene(12)
+    start(recipe=OPEN)
+    yield from until(lambda: len(names()) == 2)
+    yield 0.2
+    for operator, said in (
+        (bpy.ops.craze.bake, {"size": 16}),
+        (bpy.ops.craze.grow, {"frames": 4, "method": "KEYS"}),
+        (bpy.ops.craze.grow, {"frames": 4, "method": "NODES"}),
+        (bpy.ops.craze.curves, {}),
+        (bpy.ops.craze.stats, {}),
+        (bpy.ops.craze.pieces, {"thickness": 0.1}),
+    ):
+        before = state()
+        with bpy.context.temp_override(**view()):
+            operator("INVOKE_DEFAULT", True, **said)  # with an undo step, as from a button
+        yield from until(lambda: state() != before)
+        yield from until(lambda: not process.engine().pending())
+        yield 0.3
+        after = state()
+        with bpy.context.temp_override(**view()):
+            bpy.ops.ed.undo()
+        yield 0.3
+        check(state() == before, f"undo of {operator.idname_py()} left {state()}, not {before}")
+        with bpy.context.temp_override(**view()):
+            bpy.ops.ed.redo()
+        yield 0.3
+        check(state() == after, f"redo of {operator.idname_py()} made {state()}, not {after}")
+        with bpy.context.temp_override(**view()):
+            bpy.ops.ed.undo()
+        yield 0.3
+
+
+def state():
+    """What there is in the scene, and what the cracked object has."""
+    thing = bpy.data.objects.get("thing cracked")
+    if thing is None:
+        return (names(),)
+    keys = thing.data.shape_keys
+    return (
+        names(),
+        sorted(t.name for t in bpy.data.texts),
+        [m.name for m in thing.data.materials if m is not None],
+        [m.name for m in thing.modifiers],
+        len(keys.key_blocks) if keys else 0,
+        sorted(a.name for a in thing.data.attributes),
+        thing.hide_get(),
+    )
+
+
+OPEN = HEAVY.replace("0.03", "0.3") + "post = { gap = 0.1, wall = 0.05 }\n"
