@@ -76,33 +76,40 @@ def kept(pieces):
 
 
 def solid(thing):
-    """The piece with its modifiers, as a bmesh; vertices in one place are one: Cell Fracture splits
-    its pieces along sharp edges."""
+    """The piece with its modifiers, as a bmesh; None: it is not closed, not even with vertices in one
+    place as one, which Cell Fracture parts along sharp edges."""
     shape = bmesh.new()
     shape.from_object(thing, bpy.context.evaluated_depsgraph_get())
-    bmesh.ops.remove_doubles(shape, verts=shape.verts, dist=1e-6 * max(thing.dimensions))
-    return shape
+    for merge in (False, True):
+        if merge:
+            bmesh.ops.remove_doubles(shape, verts=shape.verts, dist=1e-6 * max(thing.dimensions))
+        if all(e.is_manifold for e in shape.edges):
+            return shape
+    shape.free()
+    return None
+
+
+def hull_of(shape):
+    """Volume of the convex hull of a bmesh."""
+    hull = bmesh.new()
+    for vertex in shape.verts:
+        hull.verts.new(vertex.co)
+    made = bmesh.ops.convex_hull(hull, input=hull.verts)
+    bmesh.ops.delete(hull, geom=made["geom_interior"], context="VERTS")
+    volume = abs(hull.calc_volume())
+    hull.free()
+    return volume
 
 
 def measured(pieces):
     """Share that is closed; and volume over that of the convex hull, in the mean of those."""
-    closed, filled = 0, []
+    filled = []
     for thing in pieces:
         shape = solid(thing)
-        if all(e.is_manifold for e in shape.edges):
-            closed += 1
-            volume = shape.calc_volume()
-            hull = bmesh.ops.convex_hull(shape, input=shape.verts, use_existing_faces=False)
-            gone = set(hull["geom_interior"]) | set(hull["geom_unused"])
-            around = set(hull["geom"])
-            faces = [f for f in shape.faces if f not in around]
-            bmesh.ops.delete(shape, geom=faces, context="FACES_ONLY")
-            bmesh.ops.delete(shape, geom=[g for g in gone if g.is_valid], context="VERTS")
-            whole = abs(shape.calc_volume())
-            if whole > 0:
-                filled.append(abs(volume) / whole)
-        shape.free()
-    return closed / len(pieces), float(np.mean(filled)) if filled else math.nan
+        if shape is not None:
+            filled.append(abs(shape.calc_volume()) / hull_of(shape))
+            shape.free()
+    return len(filled) / len(pieces), float(np.mean(filled)) if filled else math.nan
 
 
 def digest(pieces):
