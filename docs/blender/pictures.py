@@ -35,7 +35,7 @@ def widen(by):
     """Drags the sidebar's edge, pixels."""
     of = view()
     sidebar = next(r for r in of["area"].regions if r.type == "UI")
-    x, y = sidebar.x, sidebar.y + sidebar.height // 4
+    x, y = sidebar.x + EDGE, sidebar.y + sidebar.height // 4
     simulate = of["window"].event_simulate
     simulate(type="MOUSEMOVE", value="NOTHING", x=x, y=y)
     yield 0.3
@@ -68,6 +68,7 @@ def panel_shot(name):
 
 
 TAB = 160  # pixels from the top of the sidebar to the fourth tab
+EDGE = 6  # pixels from the sidebar's left to where it is dragged
 
 
 def look(yaw, pitch, distance, target=(0, 0, 0)):
