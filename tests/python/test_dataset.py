@@ -11,7 +11,7 @@ import craze.dataset
 from small import COMMAND
 
 PLATE = """
-samples = 4
+samples = 3
 clean = 0
 width = 160
 height = 144
@@ -86,23 +86,29 @@ def bars(sample):
     return np.concatenate(found)
 
 
-def nearest(places, ends, widths, bars):
-    """Per place the distance from the edge of the nearest strip, its piece and where on it. A crack
-    that ends on another does not reach across it."""
-    best = np.full(len(places), np.inf)
-    piece, share = np.zeros(len(places), int), np.zeros(len(places))
+def nearest(places, ends, widths, bars, near=np.inf):
+    """Per place the distance from the edge of the nearest strip, its piece and where on it; pieces
+    farther than `near` from the first place of a row do not count. A crack that ends on another
+    does not reach across it. Places: (n, k, 2); what comes out: (n, k)."""
+    best = np.full(places.shape[:2], np.inf)
+    piece, share = np.zeros(best.shape, int), np.zeros(best.shape)
     for i, (end, width, bar) in enumerate(zip(ends[..., :2], widths, bars)):
         along = end[1] - end[0]
-        t = np.clip((places - end[0]) @ along / (along @ along), 0, 1)
+        reach = np.linalg.norm(along) / 2 + near
+        rows = np.nonzero(np.linalg.norm(places[:, 0] - end.mean(axis=0), axis=1) < reach)[0]
+        here = places[rows]
+        t = np.clip((here - end[0]) @ along / (along @ along), 0, 1)
         half = (width[0] + t * (width[1] - width[0])) / 2
-        outside = np.linalg.norm(places - end[0] - t[:, None] * along, axis=1) - half
-        nearer = (outside < best) & (half > 0)
+        outside = np.linalg.norm(here - end[0] - t[..., None] * along, axis=-1) - half
+        nearer = (outside < best[rows]) & (half > 0)
         for k in (0, 1):
             if np.isfinite(bar[k]).all():
                 across = np.array([-bar[k][1], bar[k][0]])
                 own = np.sign((end[1 - k] - end[k]) @ across)
-                nearer &= (t != k) | (own * ((places - end[k]) @ across) >= 0)
-        best[nearer], piece[nearer], share[nearer] = outside[nearer], i, t[nearer]
+                nearer &= (t != k) | (own * ((here - end[k]) @ across) >= 0)
+        best[rows] = np.where(nearer, outside, best[rows])
+        piece[rows] = np.where(nearer, i, piece[rows])
+        share[rows] = np.where(nearer, t, share[rows])
     return best, piece, share
 
 
@@ -121,40 +127,41 @@ class Plate(unittest.TestCase):
 
     def test_masks_are_coverage_of_a_half(self):
         border = wrong = 0
-        steps = (np.arange(24) + 0.5) / 24
+        steps = (np.arange(20) + 0.5) / 20
+        fine = np.stack(np.meshgrid(steps, steps), axis=-1).reshape(-1, 2)
         for sample in self.samples:
-            camera, mask = sample["json"]["camera"], sample["mask"]
+            camera, mask = sample["json"]["camera"], sample["mask"].ravel()
             strips = (*segments(sample), bars(sample))
-            widths = strips[1]
-            centres = np.argwhere(np.ones_like(mask))[:, ::-1] + 0.5
-            outside, _, _ = nearest(on_plate(camera, centres), *strips)
-            pixel = np.linalg.norm(np.diff(on_plate(camera, np.array([[80, 72], [81, 73.0]])),
-                                           axis=0))
-            near = np.abs(outside) < 1.5 * pixel + widths.max() / 2
-            self.assertFalse((mask.ravel()[~near & (outside > 0)] > 0).any())
-            corners = centres[near] - 0.5
-            fine = corners[:, None, None] + np.stack(np.meshgrid(steps, steps), axis=-1)[None]
-            inside, _, _ = nearest(on_plate(camera, fine.reshape(-1, 2)), *strips)
-            coverage = (inside < 0).reshape(len(corners), -1).mean(axis=1)
+            rows, columns = np.indices(sample["mask"].shape).reshape(2, -1)
+            corners = np.stack([columns, rows], axis=1)
+            outside = nearest(on_plate(camera, corners + 0.5)[:, None], *strips)[0][:, 0]
+            step = on_plate(camera, np.array([[80, 72], [81, 72], [80, 73.0]]))
+            pixel = np.linalg.norm(step[1:] - step[0], axis=1).max()
+            self.assertFalse((mask[outside > 2 * pixel] > 0).any())
+            near = np.abs(outside) < 1.5 * pixel
+            places = on_plate(camera, (corners[near, None] + fine).reshape(-1, 2))
+            reach = 3 * pixel + strips[1].max()
+            inside = nearest(places.reshape(near.sum(), -1, 2), *strips, reach)[0] < 0
+            coverage = inside.mean(axis=1)
             is_border = (coverage > 0) & (coverage < 1)
             border += is_border.sum()
-            # Beside what 576 points cannot tell.
-            sure = np.abs(coverage - 0.5) > 0.004
-            wrong += (((mask.ravel()[near] > 0) != (coverage >= 0.5)) & sure & is_border).sum()
+            sure = np.abs(coverage - 0.5) > 0.005  # what 400 points can tell
+            wrong += (((mask[near] > 0) != (coverage >= 0.5)) & sure & is_border).sum()
             off = np.abs(sample["coverage"].ravel()[near] - coverage)
             self.assertLess(np.quantile(off, 0.99), 0.02)
         self.assertGreater(border, 2000)
         self.assertLess(wrong, 0.005 * border, f"{wrong} of {border}")
 
     def test_widths_are_those_seen_across_the_line(self):
-        worst = compared = 0
+        off_by_more = compared = 0
         for sample in self.samples:
             camera = sample["json"]["camera"]
             ends, widths = segments(sample)
             rows, columns = np.nonzero(sample["coverage"] > 0.6)
             centres = np.stack([columns, rows], axis=1) + 0.5
-            outside, piece, share = nearest(on_plate(camera, centres), ends, widths,
-                                             bars(sample))
+            outside, piece, share = (
+                a[:, 0] for a in nearest(on_plate(camera, centres)[:, None], ends, widths,
+                                         bars(sample)))
             keep = outside < 0
             piece, t = piece[keep], share[keep, None]
             width = widths[piece, 0] + t[:, 0] * (widths[piece, 1] - widths[piece, 0])
@@ -171,11 +178,13 @@ class Plate(unittest.TestCase):
             seen = np.abs(gap[:, 0] * line[:, 1] - gap[:, 1] * line[:, 0])
             given = sample["width"][rows[keep], columns[keep]]
             off = np.abs(given - seen) / np.maximum(0.1, 0.02 * seen)
-            # Where two cracks meet, either may be the nearest by rounding.
-            worst = max(worst, np.quantile(off, 0.999))
+            off_by_more += (off > 1).sum()
             compared += len(off)
+            self.assertLess(np.quantile(off, 0.99), 0.1)
+            self.assertLess(np.abs(given - seen).max(), 0.5)
         self.assertGreater(compared, 2000)
-        self.assertLess(worst, 1)
+        # Beside pixels where a crack ends on another: there a piece may be the next one.
+        self.assertLess(off_by_more, 0.002 * compared)
 
     def test_distances_and_depths_are_those_of_the_plate(self):
         for sample in self.samples:
