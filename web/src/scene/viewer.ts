@@ -1,7 +1,6 @@
 // The view: camera, light, and when to draw. Nothing is drawn while nothing changes.
 import * as three from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 
 const turn = Math.PI / 24; // of an arrow key
 
@@ -19,11 +18,7 @@ export class Viewer {
     this.renderer = new three.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.toneMapping = three.ACESFilmicToneMapping;
     this.camera.up.set(0, 0, 1);
-    const generator = new three.PMREMGenerator(this.renderer);
-    this.scene.environment = generator.fromScene(new RoomEnvironment(), 0.04).texture;
-    generator.dispose();
-    this.scene.environmentIntensity = 0.55;
-    this.scene.environmentRotation.set(Math.PI / 2, 0, 0); // the room stands along z
+    this.scene.add(new three.HemisphereLight(0xffffff, 0x8d8478, 1.6));
     const sun = new three.DirectionalLight(0xffffff, 0.9);
     sun.position.set(-2, -3, 4);
     this.scene.add(sun);
