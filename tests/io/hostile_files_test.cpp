@@ -133,8 +133,8 @@ std::vector<Hostile> hostile_files() {
   add("ply_no_format", read_ply, "ply\nend_header\n", "format");
   add("ply_unknown_format", read_ply, "ply\nformat binary_middle_endian 1.0\n", "a.file:2");
   add("ply_property_twice", read_ply,
-      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\n",
-      "a.file:5): an element has the property 'x' twice");
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\nend_header\n",
+      "'vertex' has the property 'x' twice");
   add("ply_index_below_zero", read_ply, ply("ascii", "3", "1", "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
       "a corner's index is none of 0 to 2");
   add("gltf_needs_a_newer_version", read_gltf, R"({"asset":{"version":"2.1","minVersion":"2.1"}})",

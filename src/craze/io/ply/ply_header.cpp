@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
@@ -72,6 +72,15 @@ PlyElement parse_element(TextCursor& text) {
   return element;
 }
 
+void check_names(const PlyElement& element, const TextCursor& text) {
+  std::set<std::string> names;
+  for (const PlyProperty& property : element.properties) {
+    if (names.insert(property.name).second) continue;
+    text.fail(fmt::format("'{}' has the property '{}' twice", printable(element.name),
+                          printable(property.name)));
+  }
+}
+
 }  // namespace
 
 std::size_t size_of(PlyType type) {
@@ -114,11 +123,6 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
       if (header.elements.empty()) text.fail("a property stands before the first element");
       auto& properties = header.elements.back().properties;
       properties.push_back(parse_property(text));
-      const std::string& last = properties.back().name;
-      if (std::any_of(properties.begin(), properties.end() - 1,
-                      [&](const PlyProperty& other) { return other.name == last; })) {
-        text.fail(fmt::format("an element has the property '{}' twice", printable(last)));
-      }
       if (properties.size() > max_properties) text.fail("an element has too many properties");
     } else if (keyword == "comment") {
       text.more_on_line();
@@ -136,6 +140,7 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
     }
   }
   if (!has_format) text.fail("the header has no format line");
+  for (const PlyElement& element : header.elements) check_names(element, text);
   text.skip_line();
   header.size = text.offset();
   // Where lines end with \r alone, a \n that follows the header is the first byte of its rows.
