@@ -20,6 +20,7 @@ development=(
   libopenexr-dev                                     # reads back the maps that craze writes
   emscripten nodejs                                  # WebAssembly
   lintian mmdebstrap                                 # Debian packages
+  blender xvfb xauth                                 # the add-on, in a window too
 )
 
 case "${1:-}" in

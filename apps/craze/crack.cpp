@@ -60,6 +60,14 @@ void add_outputs(CLI::App& verb, RunRequest& request) {
                   "The cracked mesh: .ply, .obj, .stl, .glb or .usda")
       ->type_name("FILE")
       ->group(group);
+  verb.add_option_function<std::string>(
+          "--as", [&request](const std::string& as) { request.as_maps = as == "maps"; },
+          "mesh: -o is cut; maps: -o, .glb, is the input as it is, with the cracks in its "
+          "materials' textures")
+      ->check(CLI::IsMember({"mesh", "maps"}).description(""))
+      ->type_name("WHAT")
+      ->default_str("mesh")
+      ->group(group);
   verb.add_option("--lines", request.lines, "The cracks as lines: .ply, .obj, .svg or .json")
       ->type_name("FILE")
       ->group(group);
@@ -125,7 +133,8 @@ void add_crack(CLI::App& app, Action& action) {
       ->type_name("");
   add_outputs(*verb, options->request);
   add_growth(*verb, options->request);
-  add_map_options(*verb, options->request.maps, "Maps (--maps)");
+  add_map_options(*verb, options->request.maps, "Maps (--maps, --as maps)");
+  add_stain_option(*verb, options->request.stain, "Maps (--maps, --as maps)");
   add_picture_options(*verb, options->choice);
   CLI::Option* preset = verb->add_option(
       "--preset", options->preset, "See craze presets; glaze where no recipe and no key is given");
@@ -153,6 +162,7 @@ void add_crack(CLI::App& app, Action& action) {
       "--animate\n"
       "  craze crack shape:cup --video grow.mp4 --frame-count 96\n"
       "  craze crack vase.obj -o pieces.glb --fragments\n"
+      "  craze crack vase.glb -o cracked.glb --as maps --preset glaze --stain 3b2314\n"
       "  craze crack vase.obj --maps vase_maps --map normal --map occlusion --map-size 2048\n"
       "Ctrl-C stops, writes what was asked for and exits with 130 (SIGTERM: 143); a second one "
       "kills.");

@@ -53,6 +53,8 @@ int run_command(int argc, char** argv, MessageStyle style) {
   add_bake(app, action);
   add_stats(app, action);
   add_check(app, action);
+  add_dataset(app, action);
+  add_sweep(app, action);
   add_figures(app, action);
   add_presets(app, action);
   add_parameters(app, action);

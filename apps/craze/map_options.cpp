@@ -1,5 +1,8 @@
 #include "map_options.h"
 
+#include "color_option.h"
+#include "craze/base/srgb.h"
+
 namespace craze::app {
 
 namespace {
@@ -48,6 +51,22 @@ void add_map_options(CLI::App& verb, MapsRequest& maps, const char* group) {
       ->check(CLI::IsMember({"up", "down"}).description(""))
       ->type_name("WAY")
       ->default_str("up")
+      ->group(group);
+}
+
+void add_stain_option(CLI::App& verb, CrackStain& stain, const char* group) {
+  verb.add_option_function<std::string>(
+          "--stain",
+          [&stain](const std::string& text) {
+            Color color{0, 0, 0, 1};
+            const std::array<int, 3> stored = color_of("--stain", text);
+            for (std::size_t k = 0; k < 3; ++k) {
+              color[k] = srgb_to_linear(static_cast<float>(stored[k]) / 255);
+            }
+            stain.color = color;
+          },
+          "--as maps: colour of the cracks, RRGGBB; the surface's own, darkened")
+      ->type_name("RRGGBB")
       ->group(group);
 }
 

@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "craze/job/write_maps.h"
+#include "craze/products/maps/crack_pictures.h"
 
 namespace craze::app {
 
 /// --map, --map-size, --map-format, --map-green.
 void add_map_options(CLI::App& verb, MapsRequest& maps, const char* group);
+
+/// --stain.
+void add_stain_option(CLI::App& verb, CrackStain& stain, const char* group);
 
 }  // namespace craze::app

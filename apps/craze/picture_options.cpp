@@ -1,22 +1,11 @@
 #include "picture_options.h"
 
 #include "app.h"
-#include "craze/error.h"
+#include "color_option.h"
 
 namespace craze::app {
 
 namespace {
-
-render::Rgb color_of(const std::string& text) {
-  const bool hexadecimal =
-      text.size() == 6 && text.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
-  if (!hexadecimal) {
-    throw Error(ErrorKind::usage, "wrong colour", "--background " + text,
-                "six hexadecimal digits are wanted, such as 606a78");
-  }
-  const int rgb = std::stoi(text, nullptr, 16);
-  return render::from_srgb(rgb >> 16, rgb >> 8 & 255, rgb & 255);
-}
 
 void add_camera(CLI::App& verb, PictureChoice& choice) {
   const char* group = "Camera of pictures";
@@ -99,7 +88,10 @@ void add_scene(CLI::App& verb, PictureChoice& choice) {
       ->group(group);
   verb.add_option_function<std::string>(
           "--background",
-          [&picture](const std::string& color) { picture.backdrop = color_of(color); },
+          [&picture](const std::string& color) {
+            const auto [r, g, b] = color_of("--background", color);
+            picture.backdrop = render::from_srgb(r, g, b);
+          },
           "A colour as RRGGBB; by the material")
       ->type_name("RRGGBB")
       ->group(group);

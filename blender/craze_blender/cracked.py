@@ -8,7 +8,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from . import mesh_in
+from . import mesh_in, mesh_out
 from .runs import POST, Made, Order
 from .work import Problem
 
@@ -51,6 +51,8 @@ def adopt(thing: Any, made: Made, order: Order) -> None:
 def replace_mesh(thing: Any, made: Made) -> None:
     """Gives an object a cracked mesh; one that it had before is removed."""
     old = thing.data if is_cracked(thing) else None
+    if old is not None:
+        _keep_materials(old, made.mesh)
     thing.data = made.mesh
     if old is not None and old.users == 0:
         bpy.data.meshes.remove(old)
@@ -58,6 +60,19 @@ def replace_mesh(thing: Any, made: Made) -> None:
     if made.report:
         thing.craze.report = json.dumps(made.report)
         thing.craze.recipe = json.dumps(made.report["recipe"])
+
+
+def _keep_materials(old: Any, new: Any) -> None:
+    """Slots have what the user has given them since, baked cracks for one; walls have their own."""
+    walls = new.materials.find(mesh_out.WALL)
+    end = len(new.materials) if walls < 0 else walls
+    for index, material in enumerate(old.materials):
+        if material is not None and material.name == mesh_out.WALL:
+            return
+        if index < end:
+            new.materials[index] = material
+        elif walls < 0:
+            new.materials.append(material)
 
 
 def order_of(thing: Any) -> Order:

@@ -157,7 +157,7 @@ def carry(source: Any, target: Any, of: dict[str, Maps]) -> Iterator[str]:
         values = get(items, name, dtype)
         if values.any():
             put(getattr(target, collection), name, _taken(of[domain], values, mixed))
-            yield ""
+        yield ""
     yield from _carry_creases(source, target, of["POINT"])
 
 

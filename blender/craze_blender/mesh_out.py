@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from typing import Any, Iterator
 
 import bpy
@@ -13,21 +14,25 @@ WALL = "crack_wall"  # as the engine calls the material of side walls
 WALL_COLOUR = (0.02, 0.015, 0.01, 1.0)
 
 
-def _bare(name: str, arrays: dict[str, np.ndarray]) -> Any:
-    mesh = bpy.data.meshes.new(name)
+def _fill(mesh: Any, arrays: dict[str, np.ndarray]) -> Iterator[None]:
+    """Gives an empty mesh its elements."""
     mesh.vertices.add(len(arrays["co"]))
     layers.put(mesh.vertices, "co", arrays["co"])
+    yield
     mesh.edges.add(len(arrays["edges"]))
     layers.put(mesh.edges, "vertices", arrays["edges"])
+    yield
     mesh.loops.add(len(arrays["loop_vertex"]))
     layers.put(mesh.loops, "vertex_index", arrays["loop_vertex"])
+    yield
     layers.put(mesh.loops, "edge_index", arrays["loop_edge"])
+    yield
     mesh.polygons.add(len(arrays["loop_start"]))
     layers.put(mesh.polygons, "loop_start", arrays["loop_start"])
     # From 3.6 on the starts say it.
     if not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly:
         layers.put(mesh.polygons, "loop_total", arrays["loop_total"])
-    return mesh
+    yield
 
 
 def _wall_material() -> Any:
@@ -52,6 +57,18 @@ def _materials(source: Any, mesh: Any, walls: np.ndarray) -> None:
         mesh.materials.append(_wall_material())
 
 
+@contextmanager
+def _new_mesh(name: str) -> Iterator[Any]:
+    """A mesh that is gone again if it does not get ready."""
+    mesh, ready = bpy.data.meshes.new(name), False
+    try:
+        yield mesh
+        ready = True
+    finally:
+        if not ready:
+            bpy.data.meshes.remove(mesh)
+
+
 def build(
     source: Any, groups: list[np.ndarray], names: list[str], name: str, arrays: dict[str, np.ndarray]
 ) -> Iterator[tuple[Any, list[str]] | None]:
@@ -60,10 +77,8 @@ def build(
     could not be carried."""
     of = layers.maps(arrays)
     walls = arrays["wall"]
-    mesh = _bare(name, arrays)
-    done = False
-    try:
-        yield None
+    with _new_mesh(name) as mesh:
+        yield from _fill(mesh, arrays)
         _materials(source, mesh, walls)
         lost = []
         for missing in layers.carry(source, mesh, of):
@@ -83,33 +98,10 @@ def build(
                 yield None
         layers.set_attribute(mesh, "source_face", "FACE", np.where(walls, -1, arrays["face_source"]))
         yield None
-        mesh.update(calc_edges_loose=True)
-        yield None
-        _normals(source, mesh, of["CORNER"], walls)
+        yield from _finish(source, mesh, groups, names, of, arrays["co"], walls)
         for key in source.keys():
             mesh[key] = source[key]
-        double = bpy.data.objects.new(name, mesh)  # groups and keys are made through an object
-        try:
-            yield from weights.write_groups(double, names, weights.mixed_groups(groups, of["POINT"]))
-            yield from weights.carry_keys(source, double, of["POINT"], arrays["co"])
-        finally:
-            bpy.data.objects.remove(double)
-        done = True
-    finally:
-        if not done:
-            bpy.data.meshes.remove(mesh)
     yield mesh, lost
-
-
-def _normals(source: Any, mesh: Any, of: layers.Maps, walls: np.ndarray) -> None:
-    if hasattr(source, "use_auto_smooth"):  # before 4.1
-        mesh.use_auto_smooth = source.use_auto_smooth
-        mesh.auto_smooth_angle = source.auto_smooth_angle
-    known = layers.custom_normals(source)
-    if known is not None:
-        normals = of.mixed(known)
-        normals[np.repeat(walls, layers.get(mesh.polygons, "loop_total", np.int32))] = 0
-        layers.set_custom_normals(mesh, normals)
 
 
 def copy_part(
@@ -126,17 +118,39 @@ def copy_part(
             ("FACE", "face_of"),
         )
     }
-    mesh = _bare(name, arrays)
-    for material in source.materials:
-        mesh.materials.append(material)
-    for _ in layers.carry(source, mesh, of):
-        yield None
+    with _new_mesh(name) as mesh:
+        yield from _fill(mesh, arrays)
+        for material in source.materials:
+            mesh.materials.append(material)
+        for _ in layers.carry(source, mesh, of):
+            yield None
+        none = np.zeros(len(arrays["loop_start"]), bool)
+        yield from _finish(source, mesh, groups, names, of, arrays["co"], none)
+    yield mesh
+
+
+def _finish(
+    source: Any, mesh: Any, groups: list[np.ndarray], names: list[str], of: dict[str, layers.Maps],
+    co: np.ndarray, walls: np.ndarray,
+) -> Iterator[None]:  # fmt: skip
+    """What needs a mesh that has its elements: normals, weights and shape keys."""
     mesh.update(calc_edges_loose=True)
-    _normals(source, mesh, of["CORNER"], np.zeros(len(arrays["loop_start"]), bool))
-    double = bpy.data.objects.new(name, mesh)
+    yield
+    _normals(source, mesh, of["CORNER"], walls)
+    double = bpy.data.objects.new(mesh.name, mesh)  # groups and keys are made through an object
     try:
         yield from weights.write_groups(double, names, weights.mixed_groups(groups, of["POINT"]))
-        yield from weights.carry_keys(source, double, of["POINT"], arrays["co"])
+        yield from weights.carry_keys(source, double, of["POINT"], co)
     finally:
         bpy.data.objects.remove(double)
-    yield mesh
+
+
+def _normals(source: Any, mesh: Any, of: layers.Maps, walls: np.ndarray) -> None:
+    if hasattr(source, "use_auto_smooth"):  # before 4.1
+        mesh.use_auto_smooth = source.use_auto_smooth
+        mesh.auto_smooth_angle = source.auto_smooth_angle
+    known = layers.custom_normals(source)
+    if known is not None:
+        normals = of.mixed(known)
+        normals[np.repeat(walls, layers.get(mesh.polygons, "loop_total", np.int32))] = 0
+        layers.set_custom_normals(mesh, normals)

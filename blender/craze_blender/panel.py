@@ -26,6 +26,7 @@ class CRAZE_PT_main(_Panel, bpy.types.Panel):
         layout, panel = self.layout, context.scene.craze
         layout.use_property_split = True
         layout.use_property_decorate = False
+        layout.template_icon_view(panel, "preset", show_labels=True, scale=5)
         layout.prop(panel, "preset")
         keys = panel.keys
         row = layout.row(align=True)
@@ -69,7 +70,9 @@ class CRAZE_PT_where(_Panel, bpy.types.Panel):
                     layout.prop_search(keys, name, thing, "vertex_groups", text=text)
                 else:
                     layout.prop(keys, name, text=text)
-        layout.operator("craze.impact", icon="CURSOR")
+        row = layout.row(align=True)
+        row.operator("craze.impact", icon="CURSOR", text="Impact at Cursor")
+        row.operator("craze.impact_click", icon="RESTRICT_SELECT_OFF", text="by Click")
         for i, entry in enumerate(keys.impact):
             box = layout.box()
             row = box.row()
@@ -120,10 +123,15 @@ class CRAZE_PT_result(_Panel, bpy.types.Panel):
         column.operator("craze.stats", icon="TEXT")
         column.operator("craze.curves", icon="CURVE_DATA")
         column = layout.column(align=True)
+        column.prop(panel, "map_size")
+        column.prop(panel, "map_folder")
+        column.operator("craze.bake", icon="TEXTURE")
+        column = layout.column(align=True)
         column.prop(panel, "thickness")
         column.operator("craze.pieces", icon="MOD_SOLIDIFY")
         column = layout.column(align=True)
         column.prop(panel, "frames")
+        column.prop(panel, "growth")
         column.operator("craze.grow", icon="SHAPEKEY_DATA")
 
 

@@ -15,7 +15,7 @@ import tempfile
 import threading
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, Iterator
 
 import numpy as np
 
@@ -50,13 +50,17 @@ class Request:
             self.state = state
 
 
-def arrays_in(reply: dict[str, Any]) -> dict[str, np.ndarray]:
-    """What the file of a reply holds; the file is gone then."""
-    path = reply["file"]
-    with np.load(path) as file:
-        arrays = {name: file[name] for name in file.files}
-    os.remove(path)
-    return arrays
+def arrays_in(reply: dict[str, Any]) -> Iterator[dict[str, np.ndarray] | None]:
+    """Yields None after each array, then all that the file of a reply holds; the file is gone then."""
+    path, arrays = reply["file"], {}
+    try:
+        with np.load(path) as file:
+            for name in file.files:
+                arrays[name] = file[name]
+                yield None
+    finally:
+        os.remove(path)
+    yield arrays
 
 
 class Engine:

@@ -12,7 +12,7 @@ import numpy as np
 
 from . import mesh_in, mesh_out, weights
 from .process import Engine, arrays_in
-from .work import Problem, Steps, asked
+from .work import Problem, Steps, asked, last
 
 POST = ("gap", "wall", "curl")  # what an opening takes; other keys crack anew
 
@@ -84,7 +84,17 @@ def grow(
 
 def lines(engine: Engine, order: Order) -> Steps:
     """The arrays of the cracks as lines."""
-    return arrays_in((yield from _of_run(engine, order, "lines")))
+    reply = yield from _of_run(engine, order, "lines")
+    return (yield from last(arrays_in(reply)))
+
+
+def bake(
+    engine: Engine, order: Order, size: int, maps: list[str] | None, post: dict[str, float], folder: str
+) -> Steps:
+    """Maps written to a folder, as worker/runs.py says it; `maps`: their names, None: all."""
+    return (
+        yield from _of_run(engine, order, "bake", size=size, maps=maps, post=post, folder=folder)
+    )
 
 
 def _of_run(engine: Engine, order: Order, do: str, **fields: Any) -> Steps:
@@ -98,25 +108,14 @@ def _of_run(engine: Engine, order: Order, do: str, **fields: Any) -> Steps:
 
 
 def _groups(order: Order) -> Steps:
-    read: list[np.ndarray] = []
-    for step in weights.read_groups(order.mesh, len(order.groups)):
-        if step is None:
-            yield
-        else:
-            read = step
-    return read
+    return (yield from last(weights.read_groups(order.mesh, len(order.groups))))
 
 
 def _build(order: Order, name: str, read: list[np.ndarray], reply: dict[str, Any]) -> Steps:
-    arrays = arrays_in(reply)
+    arrays = yield from last(arrays_in(reply))
     grown = arrays.pop("grown", None)
-    yield
     warnings = list(reply["warnings"])
-    for step in mesh_out.build(order.mesh, read, order.groups, name, arrays):
-        if step is None:
-            yield
-        else:
-            mesh, lost = step
+    mesh, lost = yield from last(mesh_out.build(order.mesh, read, order.groups, name, arrays))
     if lost:
         warnings.append("not carried over: " + ", ".join(lost))
     return Made(mesh, order.run, reply.get("report", {}), warnings, grown)

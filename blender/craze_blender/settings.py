@@ -11,11 +11,16 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from . import table
+from . import pictures, table
 from .runs import POST
 
 LARGEST = 2**31 - 1  # of Blender's whole numbers
 GAP = 0.1  # of a new scene: presets leave cracks shut, and those are not seen in a viewport
+
+GROWTH = (
+    ("KEYS", "Shape keys", "The engine's own stages, at most 32, with keyed values"),
+    ("NODES", "Nodes", "A modifier with a keyed slider: each vertex moves at its time"),
+)
 
 
 def _is_vector(row: dict[str, Any]) -> bool:
@@ -198,23 +203,24 @@ CrazeKeys = _group(
 )
 
 
-def _preset_items() -> list[tuple[str, str, str]]:
-    return [
-        (name, name.replace("-", " ").capitalize(), table.DESCRIPTIONS.get(name, ""))
-        for name in table.PRESETS
-    ]
+def _preset_property() -> Any:
+    """Made when the add-on is enabled, as pictures are known by numbers that change."""
+    return bpy.props.EnumProperty(
+        name="Preset",
+        description="What cracks: all keys of a recipe at once",
+        items=[
+            (name, name.replace("-", " ").capitalize(), table.DESCRIPTIONS.get(name, ""),
+             pictures.icon(name), number)
+            for number, name in enumerate(table.PRESETS)
+        ],
+        default=table.FIRST_PRESET,
+        update=_preset_changed,
+    )  # fmt: skip
 
 
 class CrazeSettings(bpy.types.PropertyGroup):
-    """The panel's settings, of a scene."""
+    """The panel's settings, of a scene; and `preset`, see _preset_property()."""
 
-    preset: bpy.props.EnumProperty(
-        name="Preset",
-        description="What cracks: all keys of a recipe at once",
-        items=_preset_items(),
-        default=table.FIRST_PRESET,
-        update=_preset_changed,
-    )
     keys: bpy.props.PointerProperty(type=CrazeKeys)
     in_place: bpy.props.BoolProperty(
         name="In place",
@@ -240,6 +246,18 @@ class CrazeSettings(bpy.types.PropertyGroup):
     frames: bpy.props.IntProperty(
         name="Frames", description="How long the growth takes", min=2, default=100
     )
+    growth: bpy.props.EnumProperty(
+        name="As", description="What opens the cracks", items=GROWTH
+    )
+    map_size: bpy.props.IntProperty(
+        name="Size", description="Of baked images, pixels a side", min=1, max=8192, default=1024
+    )
+    map_folder: bpy.props.StringProperty(
+        name="Folder",
+        description="Where all maps are written, as .exr; empty: those that the material shows, "
+        "packed into the .blend",
+        subtype="DIR_PATH",
+    )
 
 
 class CrazeObject(bpy.types.PropertyGroup):
@@ -260,6 +278,8 @@ CLASSES = [*_SECTIONS.values(), CrazeKeys, CrazeSettings, CrazeObject]
 
 
 def register() -> None:
+    pictures.register()
+    CrazeSettings.__annotations__["preset"] = _preset_property()
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Scene.craze = bpy.props.PointerProperty(type=CrazeSettings)
@@ -271,3 +291,4 @@ def unregister() -> None:
     del bpy.types.Scene.craze
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
+    pictures.unregister()

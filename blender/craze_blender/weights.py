@@ -8,7 +8,7 @@ import numpy as np
 
 from . import layers
 
-CHUNK = 5000  # vertices read, or weights written, at a step
+CHUNK = 2000  # vertices read, or weights written, at a step
 
 
 def read_groups(mesh: Any, count: int) -> Iterator[list[np.ndarray] | None]:

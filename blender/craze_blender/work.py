@@ -7,7 +7,7 @@ returns what came of it.
 from __future__ import annotations
 
 import time
-from typing import Any, Callable, Generator
+from typing import Any, Callable, Generator, Iterator
 
 from .process import Engine, Request
 
@@ -82,3 +82,12 @@ def asked(request: Request) -> Steps:
     if request.state != "done":
         raise Problem(request.error or "cancelled")
     return request.reply
+
+
+def last(steps: Iterator[Any]) -> Steps:
+    """Goes through steps and returns what the last one yields; the others yield None."""
+    found = None
+    for found in steps:
+        if found is None:
+            yield
+    return found

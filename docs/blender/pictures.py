@@ -31,7 +31,44 @@ def open_panel():
         of["window"].event_simulate(type="LEFTMOUSE", value=value, x=x, y=y)
 
 
+def widen(by):
+    """Drags the sidebar's edge, pixels."""
+    of = view()
+    sidebar = next(r for r in of["area"].regions if r.type == "UI")
+    x, y = sidebar.x + EDGE, sidebar.y + sidebar.height // 4
+    simulate = of["window"].event_simulate
+    simulate(type="MOUSEMOVE", value="NOTHING", x=x, y=y)
+    yield 0.3
+    simulate(type="LEFTMOUSE", value="PRESS", x=x, y=y)
+    yield 0.3
+    for part in (0.5, 1.0):
+        simulate(type="MOUSEMOVE", value="NOTHING", x=x - round(part * by), y=y)
+        yield 0.3
+    simulate(type="LEFTMOUSE", value="RELEASE", x=x - by, y=y)
+    yield 0.5
+
+
+def panel_shot(name):
+    """The sidebar alone."""
+    import numpy as np
+
+    sidebar = next(r for r in view()["area"].regions if r.type == "UI")
+    shot(name)
+    path = str(FOLDER / f"{name}.png")
+    whole = bpy.data.images.load(path)
+    width, height = whole.size
+    pixels = np.empty(width * height * whole.channels, np.float32)
+    whole.pixels.foreach_get(pixels)
+    pixels = pixels.reshape(height, width, -1)
+    part = pixels[sidebar.y : sidebar.y + sidebar.height, sidebar.x : sidebar.x + sidebar.width]
+    cut = bpy.data.images.new(name, part.shape[1], part.shape[0])
+    cut.pixels.foreach_set(np.ascontiguousarray(part).reshape(-1))
+    cut.filepath_raw, cut.file_format = path, "PNG"
+    cut.save()
+
+
 TAB = 160  # pixels from the top of the sidebar to the fourth tab
+EDGE = 6  # pixels from the sidebar's left to where it is dragged
 
 
 def look(yaw, pitch, distance, target=(0, 0, 0)):
@@ -71,6 +108,11 @@ def steps():
         yield 1.0
         shot(name)
         yield 0.5
+        if name == "vase":
+            for width, by in (("wide", 160), ("narrow", -220)):
+                yield from widen(by)
+                panel_shot(f"panel_{width}")
+            yield from widen(60)
 
 
 running = steps()

@@ -60,14 +60,17 @@ struct MapOptions {
   std::vector<MapKind> maps;  ///< each once at most; empty: all of them
   bool green_up =
       true;  ///< green of normal and direction grows with v (glTF, OpenGL); else it falls
+  /// A set for each material even where their UVs lie apart, and no tiles, as glTF has it.
+  bool by_material = false;
   PostParameters post;  ///< gap and wall: how wide and deep the grooves are
 };
 
 /// One map of one texture set, or of one UDIM tile of it.
 struct MapHeader {
   MapKind kind;
-  std::string texture_set;  ///< a material's name; empty where there is one set alone
-  int udim = 0;             ///< 1001 + u + 10 v; 0: there are no tiles
+  std::string texture_set;     ///< a material's name; empty where there is one set alone
+  std::int32_t material = -1;  ///< whose set it is, of the surface's; −1: of several, or of none
+  int udim = 0;                ///< 1001 + u + 10 v; 0: there are no tiles
   std::int32_t size = 0;
   bool green_up = true;
   /// What 0 and 1 stand for where a file holds integers, per channel; ids are as they are.

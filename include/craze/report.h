@@ -31,7 +31,7 @@ struct CrackCounts {
 struct CarriedCounts {
   std::int64_t split_triangles = 0;  ///< of the input, by cracks that pass through them
   std::int64_t added_triangles = 0;  ///< goes with the length of the cracks
-  std::int64_t halved_pieces = 0;    ///< that no straight way led along: taken in two halves
+  std::int64_t rerouted_pieces = 0;  ///< that no plane led straight along
   std::int64_t lost_pieces = 0;      ///< given up: gaps between parts, folds back onto themselves
   double lost_length = 0;            ///< of those, model units
 };

@@ -1,4 +1,5 @@
 // Maps of the command: which files there are, and what is said beside them.
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
@@ -65,6 +66,68 @@ TEST_F(MapFiles, AreTheSameBytesOnAnyNumberOfThreads) {
     EXPECT_EQ(read_text(entry.path()), read_text(file("3") / entry.path().filename()))
         << entry.path();
   }
+}
+
+/// The JSON of a GLB.
+nlohmann::json json_of(const std::string& glb) {
+  std::uint32_t size = 0;
+  std::memcpy(&size, glb.data() + 12, sizeof size);
+  return nlohmann::json::parse(glb.substr(20, size));
+}
+
+TEST_F(MapFiles, CanBeTheMaterialsOfAMeshThatIsNotCut) {
+  ASSERT_EQ(run({"crack", "shape:cup?n=16", "-o", "plain.glb", "--max-cracks", "0", "--preset",
+                 "glaze", "--quiet"})
+                .code,
+            0);
+  for (const char* name : {"one.glb", "two.glb"}) {
+    const CommandResult result = run({"crack", "plain.glb", "-o", name, "--as", "maps",
+                                      "--map-size", "64", "--preset", "mud", "--max-cracks", "20",
+                                      "--stain", "3b2314", "--threads", *name == 'o' ? "1" : "3"});
+    ASSERT_EQ(result.code, 0) << result.err;
+  }
+  EXPECT_EQ(read_text(file("one.glb")), read_text(file("two.glb")));
+  const nlohmann::json before = json_of(read_text(file("plain.glb"))),
+                       after = json_of(read_text(file("one.glb")));
+  EXPECT_EQ(after["meshes"], before["meshes"]);
+  EXPECT_EQ(after["accessors"], before["accessors"]);
+  const nlohmann::json& material = after["materials"][0];
+  for (const char* key : {"normalTexture", "occlusionTexture"}) EXPECT_TRUE(material.contains(key));
+  EXPECT_TRUE(material["pbrMetallicRoughness"].contains("baseColorTexture"));
+  EXPECT_TRUE(material["pbrMetallicRoughness"].contains("metallicRoughnessTexture"));
+}
+
+TEST_F(MapFiles, AsMaterialsGetUvsWhereTheMeshHasNone) {
+  ASSERT_EQ(run({"crack", "shape:cup?n=16", "-o", "cup.stl", "--max-cracks", "0", "--preset",
+                 "glaze", "--quiet"})
+                .code,
+            0);
+  const CommandResult result =
+      run({"crack", "cup.stl", "-o", "cup.glb", "--as", "maps", "--map-size", "64", "--preset",
+           "mud", "--max-cracks", "20", "--report", "cup.json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.err.find("no UVs"), std::string::npos) << result.err;
+  const nlohmann::json glb = json_of(read_text(file("cup.glb"))),
+                       report = nlohmann::json::parse(read_text(file("cup.json")));
+  const nlohmann::json& primitive = glb["meshes"][0]["primitives"][0];
+  EXPECT_TRUE(primitive["attributes"].contains("TEXCOORD_0"));
+  const std::size_t indices = primitive["indices"];
+  EXPECT_EQ(glb["accessors"][indices]["count"].get<int>(),
+            3 * report["input"]["triangles"].get<int>());
+  EXPECT_EQ(report["output"]["triangles"], report["input"]["triangles"]);
+  // A scene whose geometry is kept has none to be mapped to.
+  ASSERT_EQ(
+      run({"crack", "cup.stl", "-o", "bare.glb", "--max-cracks", "0", "--preset", "mud"}).code, 0);
+  EXPECT_EQ(run({"crack", "bare.glb", "-o", "b.glb", "--as", "maps", "--preset", "mud"}).code, 1);
+}
+
+TEST_F(MapFiles, AsMaterialsAreRefusedWhereTheyCannotBe) {
+  expect_error({"crack", "shape:plate", "--as", "maps", "-o", "a.ply"}, 2, ".glb");
+  expect_error({"crack", "shape:plate", "--as", "maps", "--report", "a.json"}, 2, "-o FILE.glb");
+  expect_error({"crack", "shape:plate", "--as", "maps", "-o", "a.glb", "--fragments"}, 2,
+               "not cut");
+  expect_error({"crack", "shape:plate", "--as", "maps", "-o", "a.glb", "--stain", "brown"}, 2,
+               "--stain");
 }
 
 TEST_F(MapFiles, ThatCannotBeAreRefusedInOneLine) {

@@ -150,7 +150,7 @@ struct RandomCurves {
 /// Vertices at one position are one place.
 inline CutAsset cut(const SurfaceMesh& asset, const CrackCurves& curves,
                     const CutOptions& options) {
-  return cut_asset(asset, AssetTopology(asset.positions, asset.triangles), curves, options);
+  return cut_asset(asset, AssetTopology(asset.positions, asset.triangles), curves, options, {});
 }
 
 /// Chains of points from face to neighbouring face, some of which start on a point of another one.

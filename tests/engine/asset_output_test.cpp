@@ -209,6 +209,31 @@ TEST(ARoughScan, CracksAsTheSmoothShapeDoesAndIsNotSmoothedItself) {
               0.2);
 }
 
+TEST(AFoldedScan, LosesNoCrackAndGainsNoFreeEnd) {
+  const SurfaceMesh smooth = make_shape("sphere?n=50");
+  const double edge = mean_edge(smooth.positions, smooth.triangles);
+  for (const double height : {0.3, 0.5}) {
+    SCOPED_TRACE(height);
+    SurfaceMesh folded = smooth;
+    Random random(1);
+    for (Vec3& p : folded.positions) {
+      for (int i = 0; i < 3; ++i) p[i] += height * edge * random.normal();
+    }
+    const Result result = cracked(folded, recipe_for("glaze", 0.18));
+    const Simulation& simulation = *result.state().simulation;
+    EXPECT_EQ(result.report().carried.lost_pieces, 0);
+    EXPECT_GT(result.report().carried.rerouted_pieces, 0);
+    StatisticsOptions options;
+    options.bootstrap.resamples = 0;
+    const Statistics grown = compute_statistics(
+        graph_from_network(crack_network(simulation), simulation.mesh()), options);
+    EXPECT_NEAR(statistics_of(result).dead_ends.value, grown.dead_ends.value, 0.02);
+    const SurfaceMesh cut = cut_mesh(result, {});
+    EXPECT_TRUE(validate(TriangleMesh(cut.positions, cut.triangles)).empty());
+    EXPECT_NEAR(area_of(cut) / area_of(folded), 1, 1e-9);
+  }
+}
+
 TEST(AnAssetThatFitsTheSpacing, CracksItself) {
   const SurfaceMesh mesh = make_shape("sphere?n=40");
   Recipe recipe = recipe_for("glaze", 0.2);
@@ -318,6 +343,20 @@ TEST(CurlOnAnAsset, SplitsWhatIsTooLargeToBend) {
     const ClosestPoint surface(shut.positions, shut.triangles);
     for (const Vec3& p : start) EXPECT_LT(surface.find(p, {}).distance, 1e-9);
   }
+}
+
+TEST(AssetOutput, AWordDuringTheCarryingStopsARunToDiscardAndIsTooLateForOneToKeep) {
+  const SurfaceMesh cube = bevelled_cube(0.1);
+  const Recipe recipe = recipe_for("glaze", 0.1);
+  bool carrying = false;
+  Context context;
+  context.progress = [&](const Progress& p) { carrying = carrying || p.phase == "carry"; };
+  context.cancelled = [&] { return carrying; };
+  EXPECT_THROW(cracked(cube, recipe, {{}, OnCancel::discard}, context), Cancelled);
+  EXPECT_TRUE(carrying);
+  carrying = false;
+  const Result kept = cracked(cube, recipe, {{}, OnCancel::keep}, context);
+  EXPECT_EQ(kept.report().stop_reason, cracked(cube, recipe).report().stop_reason);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_P(CarriedRing, PartsTheAssetAndEachSideKeepsItsOwnDisplacement) {
   }
   const std::vector<std::int32_t> below = faces_below(fine, asset);
   const CrackedAsset made =
-      carry_onto_asset(asset, {cracked.mesh, cracked.network, displacement, parts.face, below}, 0);
+      carry_onto_asset(asset, {cracked.mesh, cracked.network, displacement, parts.face, below}, 0, {});
   test::check_cut(asset, made.cut);
   test::check_chains(made.curves, made.cut, 1.0001, 1e-6);
   EXPECT_EQ(made.cut.report.traced.lost, 0);
@@ -116,7 +116,7 @@ TEST(CarriedCracks, OnTheirOwnMeshSplitNothing) {
   const std::vector<Vec3> still(cracked.mesh.vertex_count(), Vec3::Zero());
   const std::vector<std::int32_t> parts = find_components(cracked.mesh).face;
   const CrackedAsset made =
-      carry_onto_asset(surface, {cracked.mesh, cracked.network, still, parts, own}, 0);
+      carry_onto_asset(surface, {cracked.mesh, cracked.network, still, parts, own}, 0, {});
   EXPECT_EQ(made.cut.report.split_faces, 0);
   EXPECT_EQ(made.cut.triangles.size(), surface.triangles.size());
   EXPECT_EQ(made.cut.positions.size(), cracked.mesh.positions().size());

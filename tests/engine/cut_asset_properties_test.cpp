@@ -17,7 +17,7 @@ struct Case {
   std::string name;
   SurfaceMesh asset;
   bool manifold = true;  ///< TriangleMesh takes it
-  double detour = 8;     ///< of a chain, in chords: walks are four at most, halved ones more
+  double detour = 8;     ///< of a chain, in chords: ways are four at most, meeting points apart
 };
 
 Case shape(const std::string& name) {

@@ -2,25 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "craze/error.h"
 #include "craze/recipe.h"
 #include "craze/recipe/check_recipe.h"
 #include "craze/shapes.h"
+#include "error_message.h"
 
 namespace craze {
 namespace {
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  ADD_FAILURE() << "no error";
-  return "";
-}
 
 Impact placed(const std::string& shape, const Impact& impact) {
   return place_impacts({impact}, make_shape(shape), {}).front();
@@ -66,11 +54,10 @@ TEST(AnImpactByUv, StrikesThePlaceThatHasIt) {
   impact.uv = {uv.x(), uv.y()};
   EXPECT_LT(distance(placed("plate?n=10", impact).point, middle), 1e-9);
   impact.uv = {7, 7};
-  EXPECT_NE(message_of([&] { placed("plate?n=10", impact); }).find("no triangle"),
-            std::string::npos);
+  EXPECT_NE(error_of([&] { placed("plate?n=10", impact); }).find("no triangle"), std::string::npos);
   SurfaceMesh bare = plate;
   bare.corner_uvs.clear();
-  EXPECT_NE(message_of([&] { place_impacts({impact}, bare, {}); }).find("UVs"), std::string::npos);
+  EXPECT_NE(error_of([&] { place_impacts({impact}, bare, {}); }).find("UVs"), std::string::npos);
 }
 
 TEST(AnImpactByPoint, StrikesTheNearestPlaceUpToATenthOfTheDiagonal) {
@@ -78,7 +65,7 @@ TEST(AnImpactByPoint, StrikesTheNearestPlaceUpToATenthOfTheDiagonal) {
   impact.point = {0.2, 0.1, 0.1};
   EXPECT_LT(distance(placed("plate?n=10", impact).point, {0.2, 0.1, 0}), 1e-9);
   impact.point = {0.2, 0.1, 0.5};
-  EXPECT_NE(message_of([&] { placed("plate?n=10", impact); }).find("impact 1"), std::string::npos);
+  EXPECT_NE(error_of([&] { placed("plate?n=10", impact); }).find("impact 1"), std::string::npos);
 }
 
 TEST(AnImpact, HasItsRadiusAsPartOfTheDiagonalWhereThatIsGiven) {
@@ -96,7 +83,7 @@ TEST(AnImpact, IsPlacedInOneWay) {
   apply_set(recipe, "impact.0.direction=[0,0,-1]");
   EXPECT_NO_THROW(check_recipe(recipe));
   apply_set(recipe, "impact.0.uv=[0.5,0.5]");
-  EXPECT_NE(message_of([&] { check_recipe(recipe); }).find("one of point, direction and uv"),
+  EXPECT_NE(error_of([&] { check_recipe(recipe); }).find("one of point, direction and uv"),
             std::string::npos);
 }
 

@@ -4,32 +4,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <memory>
 
 #include "craze/engine.h"
 #include "craze/engine/check_where.h"
 #include "craze/engine/spacing_rounds.h"
-#include "craze/error.h"
 #include "craze/model/sources/crack_mask.h"
 #include "craze/presets.h"
 #include "craze/products.h"
 #include "craze/shapes.h"
+#include "error_message.h"
+#include "recipe_with.h"
 
 namespace craze {
 namespace {
 
 constexpr double border = -0.1;  // x of the line between two halves of a plate
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  ADD_FAILURE() << "no error";
-  return "";
-}
 
 double middle_x(const SurfaceMesh& mesh, const Triangle& t) {
   return (mesh.positions[t[0]].x() + mesh.positions[t[1]].x() + mesh.positions[t[2]].x()) / 3;
@@ -56,10 +46,7 @@ SurfaceMesh halves(const std::string& shape = "plate?n=20") {
 }
 
 Recipe mud(const std::vector<std::string>& settings) {
-  Recipe recipe = read_preset("mud");
-  apply_set(recipe, "layer.relative_spacing=0.12");
-  for (const std::string& setting : settings) apply_set(recipe, setting);
-  return recipe;
+  return recipe_with(settings, recipe_with({"layer.relative_spacing=0.12"}, read_preset("mud")));
 }
 
 LineSet lines_of(const SurfaceMesh& mesh, const Recipe& recipe) {
@@ -97,20 +84,20 @@ TEST(Where, NamesThatFitNothingSayWhatThereIs) {
   const SurfaceMesh plate = halves();
   WhereParameters where;
   where.materials = {"lether"};
-  const std::string message = message_of([&] { check_where(plate, where); });
+  const std::string message = error_of([&] { check_where(plate, where); });
   EXPECT_NE(message.find("did you mean leather?"), std::string::npos) << message;
   EXPECT_NE(message.find("glass, leather"), std::string::npos) << message;
   where.materials = {"leather", "wood"};
   EXPECT_EQ(check_where(plate, where).size(), 1u);
   where = {};
   where.nodes = {"roof"};
-  EXPECT_NE(message_of([&] { check_where(plate, where); }).find("door_left, door_right"),
+  EXPECT_NE(error_of([&] { check_where(plate, where); }).find("door_left, door_right"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { check_where(make_shape("plate?n=2"), where); }).find("has no nodes"),
+  EXPECT_NE(error_of([&] { check_where(make_shape("plate?n=2"), where); }).find("has no nodes"),
             std::string::npos);
   where = {};
   where.attribute = "fad";
-  EXPECT_NE(message_of([&] { check_where(plate, where); }).find("did you mean fade?"),
+  EXPECT_NE(error_of([&] { check_where(plate, where); }).find("did you mean fade?"),
             std::string::npos);
 }
 
@@ -163,7 +150,7 @@ TEST(ACrackMask, OutsideOfZeroToOneIsRefused) {
   plate.vertex_attributes.push_back({"bytes", 1, std::vector<double>(plate.positions.size(), 255)});
   WhereParameters where;
   where.attribute = "bytes";
-  EXPECT_NE(message_of([&] { mask_of(plate, where); }).find("0 ... 1"), std::string::npos);
+  EXPECT_NE(error_of([&] { mask_of(plate, where); }).find("0 ... 1"), std::string::npos);
 }
 
 // Length of cracks per area in bands of equal width across the fade, the mean over seeds.

@@ -40,6 +40,8 @@ plate='shape:plate?n=24&jitter=0.3'
 "$craze" crack "$plate" -o growing_pieces.glb --preset mud "${open[@]}" --animate --fragments
 "$craze" crack quilt.obj -o quilt.glb --preset mud --set mesh.edge=0.05 "${open[@]}" --animate
 "$craze" crack shape:sphere -o none.glb --max-cracks 0 "${open[@]}" --animate
+"$craze" crack shut.glb -o mapped.glb --as maps --map-size 128 --preset mud
+"$craze" crack quilt.obj -o mapped_quilt.glb --as maps --map-size 128 --preset mud --set mesh.edge=0.05
 node validate.mjs ./*.glb
 
 # A scene with a bit of everything, in all the ways in which it comes back.

@@ -49,7 +49,7 @@ EditMesh mesh_of(const std::string& shape) {
   const TriangleMesh mesh(s.positions, s.triangles);
   std::vector<char> marks(s.triangles.size() * 3, 0);
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) marks[h] = mesh.is_open(h) ? 1 : 0;
-  return {s.positions, s.triangles, marks};
+  return {mesh, marks};
 }
 
 RC_GTEST_PROP(EditMesh, RandomEditsKeepTheTopology, (std::uint64_t seed)) {

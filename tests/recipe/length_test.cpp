@@ -3,35 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
-#include "craze/error.h"
 #include "craze/recipe/each_parameter.h"
 #include "craze/recipe/length_text.h"
 #include "craze/recipe/own_lengths.h"
+#include "error_message.h"
+#include "recipe_with.h"
 
 namespace craze {
 namespace {
 
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  ADD_FAILURE() << "no error";
-  return "";
-}
-
-Recipe with(const std::vector<std::string>& settings) {
-  Recipe recipe;
-  for (const std::string& setting : settings) apply_set(recipe, setting);
-  return recipe;
-}
-
 /// The spacing in the mesh's own unit of a mesh whose unit is `metres`.
 double spacing_of(const std::string& length, double metres, double diagonal = 1) {
-  return with_own_lengths(with({"layer.spacing=" + length}), {diagonal, metres})
+  return with_own_lengths(recipe_with({"layer.spacing=" + length}), {diagonal, metres})
       .simulation.layer.spacing;
 }
 
@@ -57,10 +41,10 @@ TEST(ALength, ThatIsABareNumberStaysAsItIs) {
 }
 
 TEST(ALength, WithAUnitIsRefusedWhereTheMeshHasNone) {
-  const std::string message = message_of([] { spacing_of("4mm", 0); });
+  const std::string message = error_of([] { spacing_of("4mm", 0); });
   EXPECT_NE(message.find("layer.spacing"), std::string::npos) << message;
   EXPECT_NE(message.find("mesh.unit"), std::string::npos) << message;
-  const Recipe given = with({"mesh.unit=mm"});
+  const Recipe given = recipe_with({"mesh.unit=mm"});
   EXPECT_EQ(metres_per_unit({}, given), 0.001);
   SurfaceMesh in_metres;
   in_metres.metres_per_unit = 1;
@@ -72,26 +56,25 @@ TEST(ALength, ThatIsNoneIsRefusedInOneLine) {
        {"4 mm", "mm", "%", "3%%", "4MM", "4m m", "4xm", "infmm", "nan%", "0x4mm", "4mm\n", "--4mm",
         "4e", "1e", "-", "", "1,5mm", "4mm5", "4µm"}) {
     Recipe recipe;
-    const std::string message = message_of([&] { apply_set(recipe, "layer.spacing=" + text); });
+    const std::string message = error_of([&] { apply_set(recipe, "layer.spacing=" + text); });
     EXPECT_NE(message.find("not a length"), std::string::npos) << text << ": " << message;
     EXPECT_TRUE(recipe == Recipe{}) << text;
   }
-  EXPECT_NE(message_of([] { with({"layer.spacing=-3mm"}); }).find("out of range"),
+  EXPECT_NE(error_of([] { recipe_with({"layer.spacing=-3mm"}); }).find("out of range"),
             std::string::npos);
-  EXPECT_NE(message_of([] { with({"layer.spacing=1e999mm"}); }).find("not finite"),
+  EXPECT_NE(error_of([] { recipe_with({"layer.spacing=1e999mm"}); }).find("not finite"),
             std::string::npos);
-  EXPECT_NE(message_of([] { with({"impact.0.radius=0%"}); }).find("more than 0"),
+  EXPECT_NE(error_of([] { recipe_with({"impact.0.radius=0%"}); }).find("more than 0"),
             std::string::npos);
   const std::string huge =
-      message_of([] { with({"layer.spacing=" + std::string(5000, '7') + "q"}); });
+      error_of([] { recipe_with({"layer.spacing=" + std::string(5000, '7') + "q"}); });
   EXPECT_EQ(huge.find('\n'), std::string::npos);
 }
 
 TEST(ALength, ThatComesOutBeyondItsRangeIsRefused) {
-  EXPECT_NE(message_of([] { spacing_of("1e308km", 1e-6); }).find("out of range"),
-            std::string::npos);
-  EXPECT_NE(message_of([] {
-              with_own_lengths(with({"mesh.edge=1e-320um"}), {1, 1000});
+  EXPECT_NE(error_of([] { spacing_of("1e308km", 1e-6); }).find("out of range"), std::string::npos);
+  EXPECT_NE(error_of([] {
+              with_own_lengths(recipe_with({"mesh.edge=1e-320um"}), {1, 1000});
             }).find("mesh.edge"),
             std::string::npos);
 }
@@ -104,7 +87,7 @@ TEST(EveryLengthKey, TakesUnitsAndKeepsWhatWasWritten) {
     if (!p.is_length()) continue;
     ++lengths;
     const std::string key = p.repeated() ? "impact.0." + p.name() : p.key;
-    const Recipe recipe = with({key + "=2.50mm"});
+    const Recipe recipe = recipe_with({key + "=2.50mm"});
     EXPECT_EQ(format_value(p.get(recipe, 0)), "\"2.5mm\"") << key;
     EXPECT_TRUE(read_recipe(write_recipe(recipe), "written") == recipe) << key;
     const Recipe own = with_own_lengths(recipe, {1, 1});
@@ -114,11 +97,11 @@ TEST(EveryLengthKey, TakesUnitsAndKeepsWhatWasWritten) {
 }
 
 TEST(EveryLengthKey, MeansTheSameInTomlJsonAndSettings) {
-  const Recipe set = with({"layer.spacing=4mm", "mesh.edge=1%"});
+  const Recipe set = recipe_with({"layer.spacing=4mm", "mesh.edge=1%"});
   EXPECT_TRUE(read_recipe("[layer]\nspacing = \"4mm\"\n[mesh]\nedge = \"1%\"", "r.toml") == set);
   EXPECT_TRUE(read_recipe(R"({"layer": {"spacing": "4mm"}, "mesh": {"edge": "1%"}})", "r.json") ==
               set);
-  EXPECT_TRUE(with({"layer.spacing=\"4mm\"", "mesh.edge='1%'"}) == set);
+  EXPECT_TRUE(recipe_with({"layer.spacing=\"4mm\"", "mesh.edge='1%'"}) == set);
 }
 
 TEST(ALength, IsNoNumberBeforeItIsMeasured) {

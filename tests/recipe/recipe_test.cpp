@@ -7,33 +7,22 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "craze/error.h"
 #include "craze/recipe/length_text.h"
 #include "craze/recipe/parameter_table.h"
 #include "craze/recipe/recipe_json.h"
 #include "craze/recipe/set_key.h"
+#include "error_message.h"
 
 namespace craze {
 namespace {
 
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::usage);
-    return e.what();
-  }
-  ADD_FAILURE() << "no error";
-  return "";
-}
-
 std::string read_error(const std::string& text) {
-  return message_of([&] { read_recipe(text, "r.toml"); });
+  return error_of([&] { read_recipe(text, "r.toml"); }, ErrorKind::usage);
 }
 
 std::string set_error(const std::string& assignment) {
   Recipe recipe;
-  const std::string message = message_of([&] { apply_set(recipe, assignment); });
+  const std::string message = error_of([&] { apply_set(recipe, assignment); }, ErrorKind::usage);
   EXPECT_TRUE(recipe == Recipe{}) << "a refused setting left a trace";
   return message;
 }
@@ -298,7 +287,7 @@ TEST(SetKey, NamesWhatItWasTold) {
   const Recipe before = recipe;
   for (const char* value : {"-1", "much", "[1]", "7\nengine = \"euler\""}) {
     const std::string message =
-        message_of([&] { set_key(recipe, "seed", value, "seed of a program"); });
+        error_of([&] { set_key(recipe, "seed", value, "seed of a program"); }, ErrorKind::usage);
     EXPECT_NE(message.find("(seed of a program)"), std::string::npos) << message;
     EXPECT_EQ(message.find("--set"), std::string::npos) << message;
     EXPECT_TRUE(recipe == before);

@@ -96,7 +96,7 @@ class CRAZE_OT_crack(EngineOperator, bpy.types.Operator):
             cracked.adopt(thing, made, order)
         else:
             cracked.new_object(context, thing, made, order)
-        for warning in made.warnings + made.report["warnings"]:
+        for warning in dict.fromkeys(made.warnings + made.report["warnings"]):
             self.report({"WARNING"}, f"craze: {warning}")
         found = made.report["cracks"]
         return f"{found['events']} cracks, {found['fragments']} fragments"

@@ -1,4 +1,5 @@
-"""bpy.ops.craze.grow(): the cracks open one after the other, as shape keys with keyed values."""
+"""bpy.ops.craze.grow(): the cracks open one after the other, as shape keys with keyed values or as
+nodes with a keyed slider."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from .. import cracked, layers, process, runs
+from .. import cracked, growth_nodes, layers, process, runs, settings
 from ..work import Problem, Steps
 from .base import OfCracked
 
@@ -15,8 +16,8 @@ STAGES = 32  # as the command's --stages
 
 
 class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
-    """Gives the cracked object shape keys from no crack to all of them, keyed from the current
-    frame on. The attribute crack_growth says when each crack comes by, for shaders and nodes"""
+    """Lets the cracks of the object open one after the other, keyed from the current frame on, as
+    shape keys or by nodes with a slider. The attribute crack_growth says when each crack comes by"""
 
     bl_idname = "craze.grow"
     bl_label = "Grow"
@@ -24,12 +25,16 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
     frames: bpy.props.IntProperty(
         name="Frames", description="How long the growth takes", min=2, options={"SKIP_SAVE"}
     )
+    method: bpy.props.EnumProperty(
+        name="As", description="What opens the cracks", items=settings.GROWTH, options={"SKIP_SAVE"}
+    )
 
     def steps(self, context: Any) -> Steps:
         thing = context.active_object
-        said = self.properties.is_property_set("frames")
-        frames = self.frames if said else context.scene.craze.frames
-        stages = min(frames, STAGES)
+        said = self.properties.is_property_set
+        frames = self.frames if said("frames") else context.scene.craze.frames
+        method = self.method if said("method") else context.scene.craze.growth
+        stages = min(frames, STAGES) if method == "KEYS" else 1
         times = [i / stages for i in range(stages)]
         post = cracked.post_of(thing)
         if post["gap"] == 0 and post["curl"] == 0:
@@ -37,8 +42,12 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
         order = cracked.order_of(thing)
         made = yield from runs.grow(process.engine(), order, thing.data.name, times, post)
         cracked.replace_mesh(thing, made)
-        _key(thing, made.grown, times, context.scene.frame_current, frames)
-        return f"{stages} stages in {frames} frames"
+        start = context.scene.frame_current
+        if method == "KEYS":
+            _key(thing, made.grown, times, start, frames)
+            return f"{stages} stages in {frames} frames"
+        _slide(thing, made.grown[0], start, frames)
+        return f"{frames} frames"
 
 
 def _key(thing: Any, grown: np.ndarray, times: list[float], start: int, frames: int) -> None:
@@ -59,8 +68,39 @@ def _key(thing: Any, grown: np.ndarray, times: list[float], start: int, frames: 
         _keyed(key, 0.0, middle + step)
     action = thing.data.shape_keys.animation_data.action
     for curve in _curves(action):
-        for point in curve.keyframe_points:
-            point.interpolation = "LINEAR"
+        _straight(curve)
+
+
+def _slide(thing: Any, shut: np.ndarray, start: int, frames: int) -> None:
+    """The modifier, its slider keyed from 0 to 1; before those that the object has."""
+    co = layers.get(thing.data.vertices, "co", np.float32, 3)
+    opening = np.zeros_like(co)
+    opening[: len(shut)] = co[: len(shut)] - shut
+    layers.set_attribute(thing.data, growth_nodes.MOVE, "POINT", opening)
+    modifier = thing.modifiers.get(growth_nodes.GROUP)
+    if modifier is None:
+        modifier = thing.modifiers.new(growth_nodes.GROUP, "NODES")
+        with bpy.context.temp_override(object=thing):
+            bpy.ops.object.modifier_move_to_index(modifier=modifier.name, index=0)
+    modifier.node_group = growth_nodes.growth_group()
+    slider = growth_nodes.slider_of(modifier.node_group)
+    path = f'modifiers["{modifier.name}"]["{slider}"]'
+    thing.animation_data_create()
+    if thing.animation_data.action is not None:
+        for curve in _curves(thing.animation_data.action):
+            if curve.data_path == path:
+                curve.keyframe_points.clear()
+    for value, frame in ((0.0, start), (1.0, start + frames)):
+        modifier[slider] = value
+        thing.keyframe_insert(path, frame=frame)
+    for curve in _curves(thing.animation_data.action):
+        if curve.data_path == path:
+            _straight(curve)
+
+
+def _straight(curve: Any) -> None:
+    for point in curve.keyframe_points:
+        point.interpolation = "LINEAR"
 
 
 def _keyed(key: Any, value: float, frame: float) -> None:

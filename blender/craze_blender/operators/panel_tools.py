@@ -1,4 +1,4 @@
-"""Small operators of the panel: a dice, impacts, where it cracks."""
+"""Small operators of the panel: a dice, and where it cracks."""
 
 from __future__ import annotations
 
@@ -19,32 +19,6 @@ class CRAZE_OT_dice(bpy.types.Operator):
 
     def execute(self, context: Any) -> set[str]:
         context.scene.craze.keys.seed = random.randrange(1, 100000)
-        return {"FINISHED"}
-
-
-class CRAZE_OT_impact(bpy.types.Operator):
-    """Adds an impact at the 3D cursor"""
-
-    bl_idname = "craze.impact"
-    bl_label = "Impact at 3D Cursor"
-    bl_options = {"UNDO"}
-
-    def execute(self, context: Any) -> set[str]:
-        context.scene.craze.keys.impact.add().point = context.scene.cursor.location
-        return {"FINISHED"}
-
-
-class CRAZE_OT_impact_remove(bpy.types.Operator):
-    """Removes an impact"""
-
-    bl_idname = "craze.impact_remove"
-    bl_label = "Remove Impact"
-    bl_options = {"UNDO"}
-
-    index: bpy.props.IntProperty()
-
-    def execute(self, context: Any) -> set[str]:
-        context.scene.craze.keys.impact.remove(self.index)
         return {"FINISHED"}
 
 
@@ -85,4 +59,4 @@ class CRAZE_OT_paint(bpy.types.Operator):
         return {"FINISHED"}
 
 
-CLASSES = [CRAZE_OT_dice, CRAZE_OT_impact, CRAZE_OT_impact_remove, CRAZE_OT_paint]
+CLASSES = [CRAZE_OT_dice, CRAZE_OT_paint]

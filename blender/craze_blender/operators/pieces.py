@@ -9,7 +9,7 @@ import numpy as np
 from mathutils import Matrix
 
 from .. import cracked, layers, mesh_out, weights
-from ..work import Problem, Steps
+from ..work import Problem, Steps, last
 from .base import OfCracked
 
 
@@ -41,7 +41,7 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
             raise Problem("the object has no attribute \"fragment\"")
         kept = _no_walls(mesh) if thickness > 0 else np.ones(len(mesh.polygons), bool)
         names = cracked.group_names(thing)
-        groups = yield from _all_groups(mesh, len(thing.vertex_groups))
+        groups = yield from last(weights.read_groups(mesh, len(thing.vertex_groups)))
         fragment = layers.get(mesh.attributes["fragment"].data, "value", np.int32)
         shape = _Shape(mesh)
         made: list[Any] = []
@@ -50,9 +50,8 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
             for number in np.unique(fragment):
                 arrays = shape.part(np.flatnonzero((fragment == number) & kept))
                 name = f"{thing.name} fragment {number}"
-                for step in mesh_out.copy_part(mesh, groups, names, name, arrays):
-                    if step is not None:
-                        made.append(step)
+                part = yield from last(mesh_out.copy_part(mesh, groups, names, name, arrays))
+                made.append(part)
                 yield
             done = True
         finally:
@@ -91,16 +90,6 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
 def _no_walls(mesh: Any) -> np.ndarray:
     """(p,) bool: what a Solidify modifier is to thicken, which makes walls of its own."""
     return layers.get(mesh.attributes["source_face"].data, "value", np.int32) >= 0
-
-
-def _all_groups(mesh: Any, count: int) -> Steps:
-    read: list[np.ndarray] = []
-    for step in weights.read_groups(mesh, count):
-        if step is None:
-            yield
-        else:
-            read = step
-    return read
 
 
 def _moved(by: np.ndarray) -> Any:

@@ -70,6 +70,8 @@ def serve(replies: Any) -> None:
             reply(id=number, cancelled=True)
         except craze.Error as e:
             reply(id=number, error=str(e), kind=e.kind)
+        except OSError as e:
+            reply(id=number, error=f"{e.filename}: {e.strerror}", kind="output")
         except MemoryError:
             reply(id=number, error="not enough memory", kind="memory")
         except Exception as e:  # noqa: BLE001 - one sentence, never a traceback

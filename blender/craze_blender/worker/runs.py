@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import os
+import re
 from collections import OrderedDict
 from contextlib import contextmanager, nullcontext
 from typing import Any, Callable, Iterator
 
 import numpy as np
 from carry import Carried, Source, carry
+from exr import write_exr
 
 import craze
 
 KEPT = 3  # runs; an older one is cracked anew when somebody asks for it
 REST, ORIGIN = "craze.rest", "craze.origin"  # attributes that say where a vertex, a face was
 OURS = ("crack_distance", "crack_time", "crack_growth")
+MAP_NAME = re.compile(r"(?:(?P<set>.+)_)?(?P<map>[a-z]+)(?:\.(?P<tile>\d{4}))?")
 
 
 class Run:
@@ -92,6 +95,46 @@ class Run:
             "width": np.asarray(lines.width, np.float32),
             "event": np.asarray(lines.event).astype(np.int32),
         }
+
+    def bake(
+        self, size: int, maps: list[str] | None, gap: float, wall: float, folder: str,
+        progress: Callable[..., None],
+    ) -> dict[str, Any]:  # fmt: skip
+        """Writes maps (docs/maps.md) of the active UV map to `folder`. Says of each of `files` its
+        path, the `map`, its texture `set`, "" where there is one, the UDIM `tile`, 0 without, and
+        the `largest` of its numbers; and the `sets` that materials have by their index."""
+        assert self.result is not None
+        baked = self.result.bake(size, maps, gap=gap, wall=wall)
+        os.makedirs(folder, exist_ok=True)
+        files: list[dict[str, Any]] = []
+        for name in list(baked):
+            progress("write", len(files) / (len(files) + len(baked)), 0, 0.0)
+            values, part = baked.pop(name), MAP_NAME.fullmatch(name)
+            assert part is not None
+            path = os.path.join(folder, f"{name}.exr")
+            write_exr(path, values)
+            files.append(
+                {
+                    "file": path,
+                    "map": part["map"],
+                    "set": part["set"] or "",
+                    "tile": int(part["tile"] or 0),
+                    "largest": float(values.max()),
+                }
+            )
+        sets = list(dict.fromkeys(file["set"] for file in files if file["set"]))
+        return {"files": files, "sets": self._by_material(sets)}
+
+    def _by_material(self, sets: list[str]) -> dict[int, str]:
+        """Sets come in the order of the materials that faces have, one for each name."""
+        assert self.result is not None
+        mesh = self.result.mesh
+        if not sets:
+            return {}
+        used = np.unique(np.asarray(mesh.face_attributes["material"], np.int64))
+        names = dict.fromkeys(mesh.material_names[i] for i in used)
+        of_name = dict(zip(names, sets))
+        return {int(i): of_name[mesh.material_names[i]] for i in used}
 
     def _turned_back(self, places: Any) -> np.ndarray:
         """(n, 3) float32: from the engine's axes to those of the object."""
@@ -196,8 +239,25 @@ class Runs:
         """Writes the cracks as lines to the file `out`."""
         return self._made(run, out, lambda kept: kept.lines())
 
+    def bake(
+        self, run: str, size: int, maps: list[str] | None, post: dict[str, float], folder: str,
+        out: str, progress: Callable[..., None],
+    ) -> dict[str, Any]:  # fmt: skip
+        """Writes maps to `folder`; {"lost": true} where the run is not kept."""
+        kept = self._find(run)
+        if kept is None:
+            return {"lost": True}
+        return kept.bake(size, maps, post["gap"], post["wall"], folder, progress)
+
     def hello(self, progress: Callable[..., None]) -> dict[str, Any]:
         return {"version": craze.__version__}
+
+    def _find(self, run: str) -> Run | None:
+        """The last one that somebody asked for is the last one to go."""
+        kept = self._kept.get(run)
+        if kept is not None:
+            self._kept.move_to_end(run)
+        return kept
 
     def _made(
         self,
@@ -206,10 +266,9 @@ class Runs:
         make: Callable[[Run], dict[str, np.ndarray]],
         post: dict[str, float] | None = None,
     ) -> dict[str, Any]:
-        kept = self._kept.get(run)
+        kept = self._find(run)
         if kept is None:
             return {"lost": True}
-        self._kept.move_to_end(run)
         np.savez(out, **make(kept))
         assert kept.result is not None
         return {"file": out, "warnings": kept.result.warnings(**(post or {}))}

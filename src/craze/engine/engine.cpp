@@ -65,7 +65,7 @@ CarriedCounts count_carried(const CutAsset& cut, std::size_t triangles_before) {
   CarriedCounts counts;
   counts.split_triangles = cut.report.split_faces;
   counts.added_triangles = std::ssize(cut.triangles) - static_cast<std::int64_t>(triangles_before);
-  counts.halved_pieces = cut.report.traced.halved;
+  counts.rerouted_pieces = cut.report.traced.rerouted;
   counts.lost_pieces = cut.report.traced.lost + cut.report.lost_segments;
   counts.lost_length = cut.report.traced.lost_length;
   return counts;
@@ -82,12 +82,16 @@ void settle(CrackedSurface& state, SimulationSurface surface, Report& report,
     state.surface = std::move(surface.mesh);
     return;
   }
-  context.report({"carry", 0, simulation.events(), count_mesh(surface.asset).triangles});
+  Context counting = context;
+  counting.progress = [&](Progress p) {
+    p.cracks = simulation.events();
+    context.report(p);
+  };
   const std::vector<Vec3> displacement = state.displacements();
   auto carried = std::make_unique<CrackedAsset>(carry_onto_asset(
       surface.asset,
       {simulation.mesh(), state.network, displacement, state.fragments.face, surface.asset_face},
-      -1));
+      -1, counting));
   state.network = std::move(carried->network);
   state.asset = std::move(carried);
   state.surface = std::move(surface.asset);
@@ -170,7 +174,10 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   state->simulation = std::move(run.last.simulation);
   report.simulation = count_mesh(run.surface.mesh);
   warn_of_empty_mask(report, run.surface.mask);
-  settle(*state, std::move(run.surface), report, context);
+  // What is to be kept is carried over whole.
+  Context onward = context;
+  if (options.on_cancel == OnCancel::keep) onward.cancelled = nullptr;
+  settle(*state, std::move(run.surface), report, onward);
   resolve_gap(state->recipe.post, state->network);
   if (state->recipe.mesh.output == OutputMesh::asset) {
     state->surface_origin = std::move(traced.origin);

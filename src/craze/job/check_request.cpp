@@ -128,6 +128,17 @@ void check_growth(const RunRequest& request) {
   }
 }
 
+void check_mapped(const RunRequest& request) {
+  const auto wrong = [](const std::string& where, const char* why) {
+    throw Error(ErrorKind::usage, "cannot write the mapped mesh", where, why);
+  };
+  if (request.output.empty()) wrong("--as maps", "give the file: -o FILE.glb");
+  if (lower_extension(request.output) != ".glb") wrong(request.output, "the file must end in .glb");
+  if (request.animate || request.split_fragments) {
+    wrong(request.animate ? "--animate" : "--fragments", "its triangles are not cut");
+  }
+}
+
 }  // namespace
 
 void check_picture_path(const std::string& path) {
@@ -159,6 +170,7 @@ void check_request(const RunRequest& request) {
   if (!request.frames.empty()) check_frames(request, places);
   if (!request.maps.folder.empty()) check_maps(request.maps, places);
   check_growth(request);
+  if (request.as_maps) check_mapped(request);
   render::find_material(request.recipe.picture.material);
   if (places.empty() && request.report.empty() && request.frames.empty()) {
     throw Error(ErrorKind::usage, "nothing to write", "",

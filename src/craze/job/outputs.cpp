@@ -7,6 +7,7 @@
 #include "craze/io/lines/write_lines.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/growth_frames.h"
+#include "craze/job/mapped_output.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/output/write_surface.h"
 #include "craze/products/crack_lines.h"
@@ -25,8 +26,8 @@ namespace {
 
 /// Whether anything is written that shows the mesh itself; a report only counts it.
 bool shows_mesh(const RunRequest& request) {
-  return !(request.output.empty() && request.picture.empty() && request.frames.empty() &&
-           request.video.empty());
+  const bool is_cut = !request.output.empty() && !request.as_maps;
+  return is_cut || !(request.picture.empty() && request.frames.empty() && request.video.empty());
 }
 
 render::PictureOptions picture_options(const RunRequest& request,
@@ -62,7 +63,7 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
   std::optional<Growth> growth;
   if (request.animate || frames) growth.emplace(result, shown);
   context.check();
-  if (!request.output.empty()) {
+  if (!request.output.empty() && !request.as_maps) {
     MorphAnimation animation;
     if (request.animate) {
       animation = growth->animation(request.animation_stages, request.clip_seconds, context);
@@ -106,6 +107,12 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
     maps.options.post = result.report().recipe.post;
     const std::vector<std::string> warnings = write_maps(result, maps, context);
     report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
+  }
+  context.check();
+  if (request.as_maps) {
+    const MappedOutput mapped{request.output, request.maps.options.size,
+                              result.report().recipe.post, request.stain};
+    report.output = write_mapped(result, beside.scene, mapped, warn, context);
   }
   context.check();
   if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context), {}, context);

@@ -6,8 +6,9 @@
 
 #include "craze/engine.h"
 #include "craze/io/files/atomic_file.h"
-#include "craze/io/image/read_image.h"
 #include "craze/job/load_surface.h"
+#include "craze/job/load_textures.h"
+#include "craze/job/mapped_output.h"
 #include "craze/job/material_looks.h"
 #include "craze/job/outputs.h"
 #include "craze/model/simulation.h"
@@ -54,13 +55,7 @@ Loaded load(const RunRequest& request, const Context& context) {
   loaded.beside.source = {request.input, std::move(file.looks), std::move(file.scene)};
   input.name = request.input;
   input.surface = std::make_shared<const SurfaceMesh>(std::move(file.mesh));
-  const SimulationParameters& p = request.recipe.simulation;
-  for (const std::string* path :
-       {&p.stress.texture, &p.material.texture, &p.layer.texture, &p.where.texture}) {
-    if (!path->empty() && !input.textures.count(*path)) {
-      input.textures.emplace(*path, to_grey(read_image_file(*path, context)));
-    }
-  }
+  input.textures = load_textures(request.recipe, context);
   return loaded;
 }
 
@@ -85,6 +80,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   Stopwatch total, phase;
   Loaded loaded = load(request, context);
   if (!request.maps.folder.empty()) check_uvs(*loaded.input.surface);
+  if (request.as_maps) check_mappable(*loaded.input.surface, loaded.beside.scene.get());
   const double load_time = phase.lap();
 
   const Result result =

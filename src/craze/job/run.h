@@ -7,6 +7,7 @@
 
 #include "craze/context.h"
 #include "craze/job/write_maps.h"
+#include "craze/products/maps/crack_pictures.h"
 #include "craze/recipe.h"
 #include "craze/render/picture.h"
 #include "craze/report.h"
@@ -33,6 +34,9 @@ struct RunRequest {
   bool split_fragments = false;      ///< `output`, not .ply or .stl, has an object per fragment
   /// How pictures are taken. Material and upward axis are the recipe's.
   render::PictureOptions shot;
+  /// `output`, .glb, is the input's scene with the cracks in its materials' pictures alone.
+  bool as_maps = false;
+  CrackStain stain;    ///< of as_maps
   bool plain = false;  ///< in the material's colours, not in those of the input's own materials
   MapsRequest maps;    ///< maps of the cracks; gap and wall are the recipe's
   std::string fields;  ///< stress, forces and curvatures at the end: .ply

@@ -102,10 +102,6 @@ void ClosestPoint::build() {
   }
 }
 
-bool ClosestPoint::accepts(std::int32_t f, const Filter& filter) const {
-  return (filter.label < 0 || labels_[f] == filter.label) && normals_[f].dot(filter.normal) >= 0;
-}
-
 void ClosestPoint::improve(Hit& best, std::int32_t f, const Vec3& point) const {
   const Triangle& t = triangles_[f];
   const Vec3 &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];

@@ -34,6 +34,12 @@ class ClosestPoint {
   Hit find(const Vec3& point) const { return find(point, Filter()); }
 
   const Vec3& normal(std::int32_t f) const { return normals_[f]; }
+  /// True if the face may answer.
+  bool accepts(std::int32_t f, const Filter& filter) const {
+    return (filter.label < 0 || labels_[f] == filter.label) && normals_[f].dot(filter.normal) >= 0;
+  }
+  /// Makes `best`, whose distance is squared, the nearest point of face f if that is nearer.
+  void improve(Hit& best, std::int32_t f, const Vec3& point) const;
 
  private:
   struct Node {
@@ -42,8 +48,6 @@ class ClosestPoint {
   };
 
   void build();
-  bool accepts(std::int32_t f, const Filter& filter) const;
-  void improve(Hit& best, std::int32_t f, const Vec3& point) const;
 
   const std::vector<Vec3>& positions_;
   const std::vector<Triangle>& triangles_;

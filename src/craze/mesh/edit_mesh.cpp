@@ -2,16 +2,12 @@
 
 #include <algorithm>
 
-#include "craze/mesh/triangle_mesh.h"
-
 namespace craze {
 
-EditMesh::EditMesh(std::vector<Vec3> positions, std::vector<Triangle> triangles,
-                   std::vector<char> marks)
-    : marks_(std::move(marks)) {
-  const TriangleMesh mesh(std::move(positions), std::move(triangles));
-  positions_ = mesh.positions();
-  triangles_ = mesh.triangles();
+EditMesh::EditMesh(const TriangleMesh& mesh, std::vector<char> marks)
+    : positions_(mesh.positions()), triangles_(mesh.triangles()), marks_(std::move(marks)) {
+  opposite_.reserve(marks_.size());
+  first_.reserve(positions_.size());
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) opposite_.push_back(mesh.opposite(h));
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) first_.push_back(mesh.first_halfedge(v));
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/mesh/triangle_mesh.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -14,9 +15,8 @@ namespace craze {
 /// flip, anything else is kept as a line.
 class EditMesh {
  public:
-  /// The triangles must suit the constructor of TriangleMesh, which throws what it finds.
-  /// marks: 3 #F, the same on both sides of an edge.
-  EditMesh(std::vector<Vec3> positions, std::vector<Triangle> triangles, std::vector<char> marks);
+  /// A copy of `mesh`, which has no cracks. marks: 3 #F, the same on both sides of an edge.
+  EditMesh(const TriangleMesh& mesh, std::vector<char> marks);
 
   std::int32_t vertex_count() const { return static_cast<std::int32_t>(positions_.size()); }
   std::int32_t face_slots() const { return static_cast<std::int32_t>(triangles_.size()); }

@@ -5,14 +5,11 @@
 #include <string>
 
 #include "craze/error.h"
+#include "craze/mesh/sorted_halfedges.h"
 
 namespace craze {
 
 namespace {
-
-struct DirectedEdge {
-  std::int32_t low, high, halfedge;
-};
 
 [[noreturn]] void fail(std::int32_t face, const std::string& why) {
   throw Error(ErrorKind::request, "mesh is not manifold", "face " + std::to_string(face), why);
@@ -32,27 +29,22 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> positions, std::vector<Triangle> tr
   std::iota(source_face_.begin(), source_face_.end(), 0);
   std::iota(root_.begin(), root_.end(), 0);
 
-  std::vector<DirectedEdge> edges(halfedges);
   for (std::int32_t h = 0; h < halfedges; ++h) {
-    const std::int32_t a = from(h), b = to(h);
+    const std::int32_t a = from(h);
     if (a < 0 || a >= vertex_count()) fail(face_of(h), "a corner is not a vertex");
-    if (a == b) fail(face_of(h), "a corner is repeated");
-    edges[h] = {std::min(a, b), std::max(a, b), h};
+    if (a == to(h)) fail(face_of(h), "a corner is repeated");
   }
-  std::sort(edges.begin(), edges.end(), [](const DirectedEdge& x, const DirectedEdge& y) {
-    return std::tie(x.low, x.high, x.halfedge) < std::tie(y.low, y.high, y.halfedge);
-  });
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t j = i + 1;
-    while (j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high) ++j;
-    if (j - i > 2) fail(face_of(edges[i].halfedge), "an edge has more than two faces");
+  const std::vector<std::int32_t> sorted = sorted_halfedges(triangles_, positions_.size());
+  for (std::size_t i = 0, j; i < sorted.size(); i = j) {
+    const VertexPair edge = vertices_of(triangles_, sorted[i]);
+    for (j = i + 1; j < sorted.size() && vertices_of(triangles_, sorted[j]) == edge;) ++j;
+    if (j - i > 2) fail(face_of(sorted[i]), "an edge has more than two faces");
     if (j - i == 2) {
-      const std::int32_t g = edges[i].halfedge, h = edges[i + 1].halfedge;
+      const std::int32_t g = sorted[i], h = sorted[i + 1];
       if (from(g) == from(h)) fail(face_of(h), "neighbouring faces are oriented differently");
       opposite_[g] = h;
       opposite_[h] = g;
     }
-    i = j;
   }
 
   std::vector<std::int32_t> corners(positions_.size(), 0);

@@ -119,9 +119,9 @@ CrackNetwork drifted(const CrackNetwork& network, double distance) {
         const CrackEdge& edge = moved.edges[e];
         const std::int32_t w = edge.a == static_cast<std::int32_t>(v) ? edge.b : edge.a;
         const Vec3 d = moved.nodes[w].position - moved.nodes[v].position;
-        const double length = d.norm();
-        velocity[v] += d / std::max(length, shortest);
-        half_length += length / 2;
+        const double apart = d.norm();
+        velocity[v] += d / std::max(apart, shortest);
+        half_length += apart / 2;
       }
       velocity[v] -= velocity[v].dot(moved.nodes[v].normal) * moved.nodes[v].normal;
       velocity[v] /= std::max(half_length, shortest);

@@ -10,7 +10,7 @@ namespace craze {
 
 /// Keys: version seed threads engine; input, simulation, output .{vertices,triangles};
 /// cracks.{events,segments,length,fragments};
-/// carried.{split_triangles,added_triangles,halved_pieces,lost_pieces,lost_length}; load;
+/// carried.{split_triangles,added_triangles,rerouted_pieces,lost_pieces,lost_length}; load;
 /// stop_reason; warnings; time.{total,load,prepare,relax,separation,crack,carry,write}; statistics
 /// (empty where none are given); repair; recipe.
 nlohmann::ordered_json report_to_json(const Report& report,

@@ -10,17 +10,15 @@
 #include <optional>
 
 #include "craze/error.h"
-#include "craze/recipe/json_table.h"
 #include "craze/recipe/nearest_name.h"
 #include "craze/recipe/parameter_table.h"
 #include "craze/recipe/set_key.h"
+#include "craze/recipe/toml_text.h"
 
 namespace craze {
 
 namespace {
 
-constexpr std::size_t size_limit = std::size_t{1} << 20;
-constexpr int dots_limit = 16;
 constexpr std::string_view impact_prefix = "impact.";
 
 [[noreturn]] void fail(const std::string& what, const std::string& where, const std::string& why) {
@@ -33,42 +31,6 @@ constexpr std::string_view impact_prefix = "impact.";
   const std::string nearest = nearest_name(key, keys);
   fail("unknown key " + key, where,
        nearest.empty() ? "craze parameters lists the keys" : "did you mean " + nearest + "?");
-}
-
-bool may_touch_a_key_dot(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) ||
-         std::string_view("_-\"' \t").find(c) != std::string_view::npos;
-}
-
-/// The TOML library limits nested values, but nests one table per dot of a key and takes the stack
-/// with it when they are freed. Keys here have one dot; a run of more than dots_limit is refused
-/// wherever it stands.
-void check_nesting(std::string_view text, const std::string& name) {
-  int dots = 0;
-  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-    if (text[i] == '=' || text[i] == '\n' || text[i] == ',') dots = 0;
-    if (text[i] != '.') continue;
-    if (may_touch_a_key_dot(text[i - 1]) && may_touch_a_key_dot(text[i + 1]) &&
-        ++dots > dots_limit) {
-      fail("not a recipe", name, "keys nested too deep");
-    }
-  }
-}
-
-toml::table parse(std::string_view text, const std::string& name) {
-  if (text.size() > size_limit) {
-    fail("not a recipe", name, fmt::format("larger than {} bytes", size_limit));
-  }
-  if (is_json(text)) return read_json_table(text, name);
-  check_nesting(text, name);
-  try {
-    return toml::parse(text, name);
-  } catch (const toml::parse_error& e) {
-    const auto at = e.source().begin;
-    std::string why(e.description());
-    why = why.substr(0, why.find('\n'));
-    fail("not a TOML recipe", fmt::format("{}:{}:{}", name, at.line, at.column), why);
-  }
 }
 
 std::optional<ParameterValue> to_names(const toml::node& node) {
@@ -204,7 +166,7 @@ toml::table parse_setting(const Parameter& p, const std::string& text, const std
   toml::table table;
   if (p.is_length() || quoted || !words) {
     try {
-      check_nesting(text, where);
+      check_toml_nesting(text, where, "recipe");
       table = toml::parse("value = " + (has_text ? text : with_whole_numbers(text)));
       if (table.size() == 1 && !table["value"].is_table()) return table;
     } catch (const toml::parse_error&) {
@@ -222,7 +184,7 @@ toml::table parse_setting(const Parameter& p, const std::string& text, const std
 }  // namespace
 
 Recipe read_recipe(std::string_view text, const std::string& name, const Recipe& base) {
-  const toml::table root = parse(text, name);
+  const toml::table root = parse_toml(text, name, "recipe");
   const Locator locate = [&](const toml::node& node) {
     const auto at = node.source().begin;
     return at ? fmt::format("{}:{}:{}", name, at.line, at.column) : name;  // none in JSON
@@ -248,7 +210,7 @@ Recipe read_recipe_file(const std::string& path, const Recipe& base) {
   std::ifstream file(path, std::ios::binary);
   std::string text;
   if (file) {
-    text.resize(size_limit + 1);
+    text.resize(toml_size_limit + 1);
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(file.gcount()));
   }

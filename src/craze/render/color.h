@@ -5,21 +5,12 @@
 #include <algorithm>
 
 #include "craze/base/elementary.h"
+#include "craze/base/srgb.h"
 
 namespace craze::render {
 
 using Vec3f = Eigen::Vector3f;
 using Rgb = Eigen::Array3f;  ///< linear, Rec. 709 primaries
-
-inline float srgb_to_linear(float c) {
-  if (c <= 0.04045f) return c / 12.92f;
-  return static_cast<float>(elementary::pow((c + 0.055f) / 1.055f, 2.4));
-}
-
-inline float linear_to_srgb(float c) {
-  if (c <= 0.0031308f) return 12.92f * c;
-  return static_cast<float>(1.055 * elementary::exp(elementary::log(c) / 2.4) - 0.055);
-}
 
 /// The linear colour of an 8-bit sRGB triple.
 inline Rgb from_srgb(int r, int g, int b) {

@@ -15,6 +15,8 @@ struct Material {
   float mottle = 0;               ///< relative strength of the cloudy variation of the colour
   float bump = 0;                 ///< 0 … 1, small unevenness of the surface
   float grit = 0;                 ///< 0 … 1, grains: fine spots and pits
+  float aggregate = 0;            ///< 0 … 1, stones of different tints
+  float aggregate_size = 0.011f;  ///< of a stone, as part of the object's diagonal
   float pieces = 0;               ///< 0 … 1, how much one fragment differs from the next
   float coat = 0;                 ///< 0 … 1, how much of a clear, smooth coat lies on top
   float gloss = 0;                ///< strength of a broad sheen, for rough surfaces

@@ -1,6 +1,7 @@
 // Smooth random variation in space, for the look of real materials.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -54,6 +55,38 @@ inline Noise value_noise(const Vec3f& p) {
       dw.y() * mix(along_x[1][0] - along_x[0][0], along_x[1][1] - along_x[0][1], w.z()),
       dw.z() * (high - low)};
   return noise;
+}
+
+/// The nearest of points strewn in space, one in each unit cube.
+struct Cell {
+  float first = 0, second = 0;  ///< distances to the nearest point and to the next
+  std::uint64_t id = 0;         ///< of the nearest
+};
+
+inline Cell nearest_cell(const Vec3f& p) {
+  const Vec3f corner(std::floor(p.x()), std::floor(p.y()), std::floor(p.z()));
+  Cell cell{8, 8, 0};
+  for (int k = 0; k < 27; ++k) {
+    const Vec3f cube =
+        corner + Vec3f(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 % 3 - 1),
+                       static_cast<float>(k / 9 - 1));
+    const auto part = [](float x, std::uint64_t prime) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(x)) * prime;
+    };
+    const std::uint64_t id =
+        hash_bits(part(cube.x(), 0x9e3779b97f4a7c15ull) ^ part(cube.y(), 0xc2b2ae3d27d4eb4full) ^
+                  part(cube.z(), 0x165667b19e3779f9ull));
+    const Random random(id);
+    Vec3f point = cube;
+    for (int i = 0; i < 3; ++i) point[i] += static_cast<float>(random.uniform_at(i));
+    const float distance = (point - p).norm();
+    if (distance < cell.first) {
+      cell = {distance, cell.first, id};
+    } else {
+      cell.second = std::min(cell.second, distance);
+    }
+  }
+  return cell;
 }
 
 /// Octaves of value noise, each half as strong and twice as fine; about −1 … 1.

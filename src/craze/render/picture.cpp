@@ -99,6 +99,25 @@ void add_looks(const SurfaceMesh& mesh, const std::vector<Look>& looks, TracedMo
   for (const Vec2& uv : mesh.corner_uvs) model.uvs.push_back(uv.cast<float>());
 }
 
+/// A subject in render units, and its camera.
+struct Framed {
+  Subject subject;
+  PictureCamera taken;
+};
+
+Framed framed_picture(const SurfaceMesh& mesh, const PictureOptions& options) {
+  Subject of = subject(mesh, options);
+  const Bounds box = bounds(of.points);
+  const double scale = box.diagonal > 0 ? 1 / box.diagonal : 1;
+  for (Vec3& p : of.points) p = scale * (p - box.centre);
+  View view = options.view;
+  if (view.target) view.target = scale * (*view.target - box.centre);
+  const Camera camera = frame(of, view, static_cast<double>(options.width) / options.height);
+  return {std::move(of), {camera, box.centre, scale}};
+}
+
+}  // namespace
+
 /// The mesh's own normals where it has them.
 std::vector<Vec3f> shading_normals(const SurfaceMesh& mesh, double crease) {
   const bool has_own = mesh.corner_normals.size() == 3 * mesh.triangles.size();
@@ -110,7 +129,9 @@ std::vector<Vec3f> shading_normals(const SurfaceMesh& mesh, double crease) {
   return normals;
 }
 
-}  // namespace
+PictureCamera picture_camera(const SurfaceMesh& mesh, const PictureOptions& options) {
+  return framed_picture(mesh, options).taken;
+}
 
 double line_width(const SurfaceMesh& mesh, const PictureOptions& options) {
   return options.line_width > 0 ? options.line_width : 0.0021 * diagonal(mesh, options);
@@ -125,35 +146,32 @@ Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
                      const PictureOptions& options, const Context& context) {
   check(mesh, lines, options);
   context.report({.phase = "picture", .fraction = 0});
-  Subject framed = subject(mesh, options);
-  const Bounds box = bounds(framed.points);
-  const double scale = box.diagonal > 0 ? 1 / box.diagonal : 1;
+  const Framed framed = framed_picture(mesh, options);
+  const auto& [camera, centre, scale] = framed.taken;
 
   TracedModel model;
   model.positions.reserve(mesh.positions.size());
-  for (const Vec3& p : mesh.positions) model.positions.push_back(scale * (p - box.centre));
+  for (const Vec3& p : mesh.positions) model.positions.push_back(scale * (p - centre));
   model.places = model.positions;
   for (std::size_t v = 0; lines && v < lines->places.size(); ++v) {
-    model.places[v] = scale * (lines->places[v] - box.centre);
+    model.places[v] = scale * (lines->places[v] - centre);
   }
   model.triangles = mesh.triangles;
   model.normals = shading_normals(mesh, options.crease);
+  model.marks = scaled(options.marks, centre, scale);
   model.is_wall = find_walls(mesh);
   model.pieces = find_pieces(mesh);
   if (!options.looks.empty()) add_looks(mesh, options.looks, model);
-  const LinePainter painter(lines ? *lines : CrackLines{}, box.centre, scale,
+  const LinePainter painter(lines ? *lines : CrackLines{}, centre, scale,
                             scale * line_width(mesh, options) / 2);
   model.lines = lines ? &painter : nullptr;
 
-  for (Vec3& p : framed.points) p = scale * (p - box.centre);
-  View view = options.view;
-  if (view.target) view.target = scale * (*view.target - box.centre);
-  const Camera camera = frame(framed, view, static_cast<double>(options.width) / options.height);
   const Studio studio(camera, options.backdrop.value_or(options.material.backdrop), options.light);
   const int groups = (options.samples + RayScene::lanes - 1) / RayScene::lanes;
   context.check();
   const Tracer tracer(model, options.material, camera, studio,
-                      options.ground ? framed.points : std::vector<Vec3>{}, groups, options.seed);
+                      options.ground ? framed.subject.points : std::vector<Vec3>{}, groups,
+                      options.seed);
 
   Film film(options.width, options.height, context);
   const auto width = static_cast<std::size_t>(options.width);

@@ -10,6 +10,7 @@
 #include "craze/render/crack_lines.h"
 #include "craze/render/image.h"
 #include "craze/render/look.h"
+#include "craze/render/marks.h"
 #include "craze/render/material.h"
 #include "craze/render/studio.h"
 #include "craze/render/subject.h"
@@ -29,6 +30,7 @@ struct PictureOptions {
   /// The mesh's own colours, one per material of it, or one for all; empty: the material's. Walls
   /// and cracks keep the material's, and clear glass has none of its own.
   std::vector<Look> looks;
+  std::vector<Mark> marks;      ///< on the mesh, model units; clear glass has none
   std::optional<Rgb> backdrop;  ///< by default the material's
   bool ground = true;           ///< a floor that catches the shadow
   double line_width = 0;  ///< of a crack line, model units; 0: a fixed part of the mesh's diagonal
@@ -42,6 +44,20 @@ double line_width(const SurfaceMesh& mesh, const PictureOptions& options);
 
 /// How far from a crack its line reaches: the distance to bake crack_lines() with.
 double line_reach(const SurfaceMesh& mesh, const PictureOptions& options);
+
+/// Where a picture is taken from. Points of the model are there scale (p − centre): render units,
+/// near the origin and of unit size.
+struct PictureCamera {
+  Camera camera;
+  Vec3 centre;
+  double scale;
+};
+
+/// The camera of a picture of this mesh, which must have triangles.
+PictureCamera picture_camera(const SurfaceMesh& mesh, const PictureOptions& options);
+
+/// The normals that a picture is shaded with: 3 #F, unit.
+std::vector<Vec3f> shading_normals(const SurfaceMesh& mesh, double crease);
 
 /// Shaded with the mesh's corner normals if it has them. Faces in the material slot "crack_wall"
 /// take the material's wall colour. `lines` may be null; they belong to the first faces of `mesh`,

@@ -62,7 +62,8 @@ SampleTable::SampleTable(int count, std::uint64_t seed)
       const Point2f u = sobol_point(i, key), v = sobol_point(i, key ^ 0x5bd1e995u);
       lens_.push_back({tent(u.x), tent(u.y)});
       const float r = std::sqrt(v.x), phi = 2 * std::numbers::pi_v<float> * v.y;
-      disc_.push_back({r * elementary::cos(phi), r * elementary::sin(phi)});
+      disc_.push_back({static_cast<float>(r * elementary::cos(phi)),
+                       static_cast<float>(r * elementary::sin(phi))});
     }
   }
 }

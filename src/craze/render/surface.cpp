@@ -66,7 +66,12 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
   const bool wall = model.is_wall[hit.face] != 0;
   s.albedo = wall ? material.wall : body_color(model, material, hit);
   s.coat = wall ? 0 : material.coat;
+  const MarkSample mark =
+      wall || model.marks.empty() ? MarkSample{} : marks_at(model.marks, s.place, footprint);
   if (!wall) {
+    // Colours of marks are premultiplied by their cover.
+    s.albedo = (1 - mark.cover) * s.albedo + mark.color;
+    s.normal = (s.normal + mark.tilt).normalized();
     const LineSample line = line_at(model, hit, s.place, footprint);
     const float core = line.core * material.line_strength;
     s.albedo *= 1 - line.stain * material.stain;
@@ -79,7 +84,7 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
   const float away = s.normal.dot(s.view);
   if (away > -0.01f) s.normal = (s.normal - (away + 0.01f) * s.view).normalized();
   s.coat *= fresnel(-s.normal.dot(s.view));
-  s.albedo *= 1 - s.coat;
+  s.albedo *= (1 - s.coat) * mark.light;
   return s;
 }
 
@@ -93,6 +98,14 @@ Grain grain_at(const Material& material, const Vec3f& place, std::int32_t piece,
     }
   }
   if (material.mottle > 0) grain.tint += material.mottle * fractal_noise(14 * place).value;
+  if (material.aggregate > 0) {
+    const Cell stone = nearest_cell(place / material.aggregate_size);
+    const Random of_stone(stone.id);
+    // The binder between stones is darker.
+    const float gap = 1 - smoothstep(0, 0.12f, stone.second - stone.first);
+    grain.tint += material.aggregate *
+                  (0.5f * static_cast<float>(of_stone.uniform_at(0) - 0.5) - 0.35f * gap);
+  }
   if (material.grit > 0) {
     const float spot =
         value_noise(330 * place).value * (0.6f + 0.4f * value_noise(60 * place).value);

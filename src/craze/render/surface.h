@@ -6,6 +6,7 @@
 
 #include "craze/render/crack_lines.h"
 #include "craze/render/look.h"
+#include "craze/render/marks.h"
 #include "craze/render/material.h"
 #include "craze/render/ray_scene.h"
 #include "craze/surface_mesh.h"
@@ -24,6 +25,7 @@ struct TracedModel {
   std::vector<std::int32_t> look;     ///< #F, index into looks, −1: none; empty: all of looks[0]
   std::vector<Eigen::Vector2f> uvs;   ///< 3 #F; empty: none, and textures do not count
   const LinePainter* lines = nullptr;
+  std::vector<Mark> marks;
 };
 
 /// A lit point of the object or the floor.

@@ -10,7 +10,8 @@ import numpy as np
 def empty():
     """Takes everything out of the file."""
     for data in (bpy.data.objects, bpy.data.meshes, bpy.data.materials, bpy.data.curves,
-                 bpy.data.armatures, bpy.data.actions, bpy.data.texts):  # fmt: skip
+                 bpy.data.armatures, bpy.data.actions, bpy.data.texts, bpy.data.images,
+                 bpy.data.node_groups, bpy.data.cameras):  # fmt: skip
         for item in list(data):
             data.remove(item)
     for collection in list(bpy.data.collections):

@@ -2,11 +2,11 @@
 them. The check looks vertices up by place, and knows nothing of how they were carried."""
 
 import random
-import unittest
 
 import bpy
 import meshes
 import numpy as np
+from cracking import Cracking, get
 
 RECIPE = """
 [stress]
@@ -19,12 +19,6 @@ relative_spacing = 0.2
 [evolution]
 max_load = 2.0
 """
-
-
-def get(collection, name, columns=1, dtype=np.float32):
-    values = np.empty(len(collection) * columns, dtype)
-    collection.foreach_get(name, values)
-    return values.reshape(-1, columns)
 
 
 class Places:
@@ -70,14 +64,8 @@ def weights(thing):
     return [{names[g.group]: g.weight for g in v.groups} for v in thing.data.vertices]
 
 
-class Layers(unittest.TestCase):
-    def setUp(self):
-        meshes.empty()
-
-    def crack(self, thing, **said):
-        meshes.activate(thing)
-        self.assertEqual(bpy.ops.craze.crack(**{"recipe": RECIPE, **said}), {"FINISHED"})
-        return bpy.context.active_object
+class Layers(Cracking):
+    recipe = RECIPE
 
     def test_random_meshes_with_random_layers_come_through(self):
         for seed in range(25):

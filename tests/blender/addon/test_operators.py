@@ -11,6 +11,7 @@ import bmesh
 import bpy
 import meshes
 import numpy as np
+from cracking import Cracking, places
 
 from craze_blender import mesh_in, process, table
 from craze_blender.operators import curves
@@ -25,20 +26,8 @@ evolution.max_load = 2.0
 OPEN = RECIPE + "post = { gap = 0.1, wall = 0.05 }\n"
 
 
-def places(mesh):
-    co = np.empty(3 * len(mesh.vertices), np.float32)
-    mesh.vertices.foreach_get("co", co)
-    return co.reshape(-1, 3)
-
-
-class Operators(unittest.TestCase):
-    def setUp(self):
-        meshes.empty()
-
-    def crack(self, thing, **said):
-        meshes.activate(thing)
-        self.assertEqual(bpy.ops.craze.crack(**{"recipe": RECIPE, **said}), {"FINISHED"})
-        return bpy.context.active_object
+class Operators(Cracking):
+    recipe = RECIPE
 
     def test_crack_makes_an_object_beside_and_hides_the_other(self):
         thing = meshes.link(meshes.grid(12))
@@ -133,36 +122,6 @@ class Operators(unittest.TestCase):
                                for o in pieces])  # fmt: skip
         whole = {tuple(np.round(p, 4)) for p in places(new.data).tolist()}
         self.assertEqual({tuple(np.round(p, 4)) for p in here.tolist()}, whole)
-
-    def test_growth_goes_from_no_crack_to_all_of_them(self):
-        new = self.crack(meshes.link(meshes.grid(12)), recipe=OPEN)
-        finished = places(new.data)
-        bpy.context.scene.frame_set(11)
-        self.assertEqual(bpy.ops.craze.grow(frames=10), {"FINISHED"})
-        scene = bpy.context.scene
-
-        def at(frame):
-            scene.frame_set(frame)
-            graph = bpy.context.evaluated_depsgraph_get()
-            return places(new.evaluated_get(graph).to_mesh())
-
-        shut, half, end = at(11), at(16), at(21)
-        np.testing.assert_allclose(end, finished, atol=1e-6)
-        np.testing.assert_allclose(at(200), finished, atol=1e-6)
-        flat = places(new.craze.mesh)
-        rest = {tuple(np.round(p, 4)) for p in flat.tolist()}
-        self.assertLessEqual(rest, {tuple(np.round(p, 4)) for p in shut.tolist()})
-        self.assertGreater(np.abs(half - shut).max(), 0)
-        self.assertGreater(np.abs(half - end).max(), 0)
-        moved = [np.linalg.norm(at(f) - shut) for f in (11, 13, 15, 17, 19, 21)]
-        self.assertEqual(moved, sorted(moved))
-        growth = new.data.attributes["crack_growth"].data
-        self.assertTrue(all(-1 <= d.value <= 1 for d in growth))
-
-    def test_shut_cracks_do_not_grow(self):
-        self.crack(meshes.link(meshes.grid(12)))
-        with self.assertRaisesRegex(RuntimeError, "gap"):
-            bpy.ops.craze.grow(frames=10)
 
     def test_curves_have_the_cracks_length_and_half_their_width(self):
         new = self.crack(meshes.link(meshes.grid(12)))

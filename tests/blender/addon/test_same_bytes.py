@@ -55,7 +55,7 @@ class SameBytes(unittest.TestCase):
         cracked = bpy.context.active_object.data
         with tempfile.TemporaryDirectory() as folder:
             given, made = Path(folder) / "in.ply", Path(folder) / "out.ply"
-            _write(given, thing.data)
+            write(given, thing.data)
             subprocess.run([COMMAND, "crack", given, "-o", made, "--quiet", *options], check=True)
             found = ply(made)
         vertex, face = found["vertex"], found["face"]
@@ -100,7 +100,7 @@ class SameBytes(unittest.TestCase):
                 self.assertEqual(settings.recipe_of(panel, list), table.PRESETS[preset])
 
 
-def _write(path, mesh):
+def write(path, mesh):
     """Triangles and UVs of a Blender mesh as the engine reads them."""
     mesh.calc_loop_triangles()
     arrays = dict(mesh_in.arrays_of(mesh, np.eye(3)))

@@ -9,6 +9,7 @@ import numpy as np
 from window import check, press, view
 
 from craze_blender import process
+from craze_blender.operators.crack import CRAZE_OT_crack
 from craze_blender.work import Work
 
 HEAVY = """
@@ -158,3 +159,95 @@ def test_a_cracked_object_follows_the_sliders_and_the_latest_wish_wins():
         bpy.ops.ed.undo()
     yield 0.3
     check(shape() == opened, "undo does not lead back to what was before the slider")
+
+
+def test_what_is_made_of_a_cracked_object_is_one_undo_step_each():
+    scene(12)
+    start(recipe=OPEN)
+    yield from until(lambda: len(names()) == 2)
+    yield 0.2
+    for operator, said in (
+        (bpy.ops.craze.bake, {"size": 16}),
+        (bpy.ops.craze.grow, {"frames": 4, "method": "KEYS"}),
+        (bpy.ops.craze.grow, {"frames": 4, "method": "NODES"}),
+        (bpy.ops.craze.curves, {}),
+        (bpy.ops.craze.stats, {}),
+        (bpy.ops.craze.pieces, {"thickness": 0.1}),
+    ):
+        before = state()
+        with bpy.context.temp_override(**view()):
+            operator("INVOKE_DEFAULT", True, **said)  # with an undo step, as from a button
+        yield from until(lambda: state() != before)
+        yield from until(lambda: not process.engine().pending())
+        yield 0.3
+        after = state()
+        with bpy.context.temp_override(**view()):
+            bpy.ops.ed.undo()
+        yield 0.3
+        check(state() == before, f"undo of {operator.idname_py()} left {state()}, not {before}")
+        with bpy.context.temp_override(**view()):
+            bpy.ops.ed.redo()
+        yield 0.3
+        check(state() == after, f"redo of {operator.idname_py()} made {state()}, not {after}")
+        with bpy.context.temp_override(**view()):
+            bpy.ops.ed.undo()
+        yield 0.3
+
+
+def state():
+    """What there is in the scene, and what the cracked object has."""
+    thing = bpy.data.objects.get("thing cracked")
+    if thing is None:
+        return (names(),)
+    keys = thing.data.shape_keys
+    return (
+        names(),
+        sorted(t.name for t in bpy.data.texts),
+        [m.name for m in thing.data.materials if m is not None],
+        [m.name for m in thing.modifiers],
+        len(keys.key_blocks) if keys else 0,
+        sorted(a.name for a in thing.data.attributes),
+        thing.hide_get(),
+    )
+
+
+OPEN = HEAVY.replace("0.03", "0.3") + "post = { gap = 0.1, wall = 0.05 }\n"
+
+
+class Held:
+    """How long each call of an operator's modal() takes: of this thread, and by the wall."""
+
+    def __enter__(self):
+        self.own, self.wall, self.modal = [], [], CRAZE_OT_crack.modal
+
+        def modal(operator, context, event):
+            own, begin = time.thread_time(), time.perf_counter()
+            try:
+                return self.modal(operator, context, event)
+            finally:
+                self.own.append(time.thread_time() - own)
+                self.wall.append(time.perf_counter() - begin)
+
+        CRAZE_OT_crack.modal = modal
+        return self
+
+    def __exit__(self, *_):
+        CRAZE_OT_crack.modal = self.modal
+
+
+def test_the_window_goes_on_while_200000_triangles_crack():
+    scene(317)
+    with Held() as held:
+        start(recipe=HEAVY)
+        request = yield from at_work()
+        end, turns = time.monotonic() + 5, 0
+        while time.monotonic() < end and request.state == "running":
+            turns += 1
+            yield 0.01
+        press("ESC")
+        yield from until(lambda: request.state != "running")
+        yield 0.3
+    print(f"{len(held.own)} calls held {max(held.own) * 1e3:.0f} ms, by the wall "
+          f"{max(held.wall) * 1e3:.0f} ms; {turns} turns of a timer in 5 s")  # fmt: skip
+    check(len(held.own) > 50, f"{len(held.own)} calls")
+    check(max(held.own) < 0.05, f"held for {max(held.own):.3f} s")

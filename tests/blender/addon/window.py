@@ -25,6 +25,14 @@ def press(key):
         of["window"].event_simulate(type=key, value=value, **place)
 
 
+def click(x, y):
+    """The mouse goes to a place in the window, and clicks."""
+    window = view()["window"]
+    window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=x, y=y)
+    for value in ("PRESS", "RELEASE"):
+        window.event_simulate(type="LEFTMOUSE", value=value, x=x, y=y)
+
+
 class Failed(Exception):
     pass
 

@@ -29,7 +29,7 @@ MapSurface two_materials(const Vec2& second_at, double scale) {
 }
 
 TEST(UvLayout, IsOneSetWhereMaterialsLieApart) {
-  const UvLayout layout = uv_layout(two_materials({0, 0}, 1), {});
+  const UvLayout layout = uv_layout(two_materials({0, 0}, 1), false, {});
   ASSERT_EQ(layout.sheets.size(), 1u);
   EXPECT_EQ(layout.sheets[0].texture_set, "");
   EXPECT_EQ(layout.sheets[0].udim, 0);
@@ -37,7 +37,7 @@ TEST(UvLayout, IsOneSetWhereMaterialsLieApart) {
 }
 
 TEST(UvLayout, IsASetPerMaterialWhereTheyShareThePicture) {
-  const UvLayout layout = uv_layout(two_materials({0, -0.5}, 1), {});
+  const UvLayout layout = uv_layout(two_materials({0, -0.5}, 1), false, {});
   ASSERT_EQ(layout.sheets.size(), 2u);
   // Names that files can have, each its own.
   EXPECT_EQ(layout.sheets[0].texture_set, "clay_red");
@@ -46,7 +46,7 @@ TEST(UvLayout, IsASetPerMaterialWhereTheyShareThePicture) {
 }
 
 TEST(UvLayout, HasTilesWhereEachPieceLiesInOne) {
-  const UvLayout layout = uv_layout(two_materials({1, 1}, 1), {});
+  const UvLayout layout = uv_layout(two_materials({1, 1}, 1), false, {});
   ASSERT_EQ(layout.sheets.size(), 2u);
   EXPECT_EQ(layout.sheets[0].udim, 1001);
   EXPECT_EQ(layout.sheets[1].udim, 1012);
@@ -56,7 +56,7 @@ TEST(UvLayout, HasTilesWhereEachPieceLiesInOne) {
 TEST(UvLayout, RepeatsWhatLeavesTheSquareOtherwise) {
   MapSurface maps = plate_with(1, {});
   for (std::int32_t f = 0; f < 2; ++f) move_uvs(maps, f, {0.5, 0}, 1);
-  const UvLayout layout = uv_layout(maps, {});
+  const UvLayout layout = uv_layout(maps, false, {});
   ASSERT_EQ(layout.sheets.size(), 1u);
   EXPECT_EQ(layout.sheets[0].udim, 0);
   EXPECT_EQ(layout.sheets[0].pieces.size(), 4u);
@@ -67,7 +67,7 @@ TEST(UvLayout, WarnsOfOverlapThatMaterialsDoNotExplain) {
   MapSurface maps = plate_with(4, {});
   const auto half = static_cast<std::int32_t>(maps.pieces.size() / 2);
   for (std::int32_t f = half; f < 2 * half; ++f) move_uvs(maps, f, {0, -0.5}, 1);
-  const UvLayout layout = uv_layout(maps, {});
+  const UvLayout layout = uv_layout(maps, false, {});
   EXPECT_EQ(layout.sheets.size(), 1u);
   ASSERT_EQ(layout.warnings.size(), 1u);
   EXPECT_NE(layout.warnings[0].find("overlap"), std::string::npos);

@@ -84,21 +84,30 @@ CrackCurves crack_curves(const CrackNetwork& network, const SurfaceMesh& asset,
   return curves;
 }
 
-CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const SimulatedCracks& cracked,
-                              double snap) {
+CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const SimulatedCracks& cracked, double snap,
+                              const Context& context) {
+  const auto reached = [&](double fraction) {
+    context.check();
+    context.report({"carry", fraction, 0, std::ssize(asset.triangles)});
+  };
+  reached(0);
   std::vector<std::int32_t> places(asset.positions.size());
   std::iota(places.begin(), places.end(), 0);
   const AssetTopology topology(asset.triangles, std::move(places));
   CrackedAsset result;
+  reached(0.2);
   result.curves = crack_curves(cracked.network, asset, topology, cracked.asset_face);
+  reached(0.3);
   const double near = snap < 0 ? snap_share * mean_length(cracked.network) : snap;
-  result.cut = cut_asset(asset, topology, result.curves, {near});
+  result.cut = cut_asset(asset, topology, result.curves, {near}, context);
+  reached(0.6);
   // What lies on the asset's border was open before.
   std::vector<CutEdge>& edges = result.cut.edges;
   edges.erase(std::remove_if(edges.begin(), edges.end(),
                              [](const CutEdge& e) { return e.side[0] < 0 || e.side[1] < 0; }),
               edges.end());
   result.mesh = crack_mesh(result.cut);
+  reached(0.8);
   result.network = network_on(result.mesh, result.cut, cracked.network);
   const std::vector<CrackSides> sides =
       crack_sides_of(cracked.mesh, cracked.displacement, cracked.network);

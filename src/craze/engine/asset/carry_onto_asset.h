@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/context.h"
 #include "craze/engine/asset/asset_topology.h"
 #include "craze/engine/asset/cut_asset.h"
 #include "craze/mesh/triangle_mesh.h"
@@ -41,9 +42,9 @@ CrackCurves crack_curves(const CrackNetwork& network, const SurfaceMesh& asset,
 
 /// The asset must suit the constructor of TriangleMesh, which throws what it finds (repair.h):
 /// faces are neighbours where they share vertices. snap as in CutOptions; a twentieth of the mean
-/// length of the network's edges if negative.
-CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const SimulatedCracks& cracked,
-                              double snap);
+/// length of the network's edges if negative. Reports the phase "carry"; throws Cancelled.
+CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const SimulatedCracks& cracked, double snap,
+                              const Context& context);
 
 /// The asset as a mesh that knows its cracks: faces as in `cut`, crack_of() the index into
 /// cut.edges, copies of a vertex with one root. Vertices that the cracks make come after the

@@ -17,6 +17,8 @@ namespace craze {
 
 namespace {
 
+constexpr std::size_t edges_between_looks = 1024;
+
 void check(const SurfaceMesh& asset, const CrackCurves& curves) {
   for (std::size_t p = 0; p < curves.points.size(); ++p) {
     const SurfacePoint& at = curves.points[p];
@@ -34,6 +36,15 @@ void check(const SurfaceMesh& asset, const CrackCurves& curves) {
                   "it ends at no point");
     }
   }
+}
+
+double mean_chord(const CrackCurves& curves, const std::vector<std::int32_t>& points,
+                  const SiteTable& sites) {
+  double sum = 0;
+  for (const auto& [a, b] : curves.edges) {
+    sum += (sites.position(points[a]) - sites.position(points[b])).norm();
+  }
+  return curves.edges.empty() ? 0 : sum / static_cast<double>(curves.edges.size());
 }
 
 /// How far along the curve edge's chord a point lies.
@@ -74,19 +85,22 @@ void find_edges(CutAsset& cut, const CrackCurves& curves, const std::vector<Curv
 }  // namespace
 
 CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
-                   const CrackCurves& curves, const CutOptions& options) {
+                   const CrackCurves& curves, const CutOptions& options, const Context& context) {
   check(asset, curves);
   SiteTable sites(asset, topology, options.snap);
   std::vector<std::int32_t> points;
   for (const SurfacePoint& p : curves.points) points.push_back(sites.at(p));
-  CurveTracer tracer(asset, topology, sites);
+  CurveTracer tracer(asset, topology, sites, mean_chord(curves, points, sites));
   std::vector<CurvePiece> pieces;
   for (std::size_t e = 0; e < curves.edges.size(); ++e) {
+    if (e % edges_between_looks == 0) context.check();
     tracer.trace(points[curves.edges[e][0]], points[curves.edges[e][1]],
                  static_cast<std::int32_t>(e), pieces);
   }
+  context.check();
   RefinedAsset refined = refine_asset(asset, topology, sites, pieces, points, options.snap);
   halve_lone_lines(topology, sites, refined);
+  context.check();
   const LineSides sides = part_sides(asset, topology, sites, refined);
 
   CutAsset cut;

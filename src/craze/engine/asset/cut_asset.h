@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/context.h"
 #include "craze/engine/asset/trace_curves.h"
 #include "craze/surface_mesh.h"
 
@@ -59,8 +60,8 @@ struct CutAsset {
 
 /// Lays the curves onto the asset and cuts it open along them. The asset may have seams, borders,
 /// edges of three faces, triangles without area; `topology` is its own.
-/// Throws Error(request) where a point names no face or an edge no point.
+/// Throws Error(request) where a point names no face or an edge no point; Cancelled.
 CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
-                   const CrackCurves& curves, const CutOptions& options);
+                   const CrackCurves& curves, const CutOptions& options, const Context& context);
 
 }  // namespace craze

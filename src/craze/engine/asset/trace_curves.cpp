@@ -2,21 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace craze {
 
 namespace {
 
-constexpr int most_halvings = 6;
 constexpr int most_steps = 20000;     // of one walk
 constexpr double longest_way = 4;     // in lengths of the chord
+constexpr double direct_way = 1.5;    // likewise: what is no longer does not lead astray
 constexpr double least_slope = 0.05;  // sine between chord and normal: below, no plane is theirs
 constexpr double straight_on = 0.5;   // cosine: less is not ahead
 
 }  // namespace
 
-CurveTracer::CurveTracer(const SurfaceMesh& asset, const AssetTopology& topology, SiteTable& sites)
-    : asset_(asset), topology_(topology), sites_(sites) {}
+CurveTracer::CurveTracer(const SurfaceMesh& asset, const AssetTopology& topology, SiteTable& sites,
+                         double usual_chord)
+    : asset_(asset),
+      topology_(topology),
+      sites_(sites),
+      usual_chord_(usual_chord),
+      shortest_way_(asset, topology, sites) {}
 
 Vec3 CurveTracer::area_normal(std::int32_t face) const {
   const Triangle& t = asset_.triangles[face];
@@ -37,55 +43,56 @@ Vec3 CurveTracer::normal(std::int32_t site) const {
 
 void CurveTracer::trace(std::int32_t from, std::int32_t to, std::int32_t curve_edge,
                         std::vector<CurvePiece>& pieces) {
-  trace(from, to, curve_edge, 0, pieces);
-}
-
-void CurveTracer::trace(std::int32_t from, std::int32_t to, std::int32_t curve_edge, int depth,
-                        std::vector<CurvePiece>& pieces) {
   if (from == to) return;
   if (const std::int32_t f = sites_.common_face(from, to); f >= 0) {
     pieces.push_back({f, from, to, curve_edge});
     return;
   }
+  const std::size_t before = pieces.size();
+  const double chord = (sites_.position(to) - sites_.position(from)).norm();
   const Vec3 a = normal(from), b = normal(to);
-  if (walk(from, to, a + b, curve_edge, pieces)) return;
-  const std::int32_t half = depth < most_halvings ? middle(from, to) : -1;
-  if (half < 0 || half == from || half == to) {
+  const double walked = walk(from, to, a + b, curve_edge, pieces);
+  if (walked <= direct_way * chord) return;
+  const double most = longest_way * std::max(chord, usual_chord_);
+  const SurfaceWay way = shortest_way_.find(from, to, std::min(walked, most));
+  if (way.last_face >= 0) {
+    pieces.resize(before);
+    follow(way, from, to, curve_edge, pieces);
+    ++report_.rerouted;
+  } else if (std::isinf(walked)) {
     ++report_.lost;
-    report_.lost_length += (sites_.position(to) - sites_.position(from)).norm();
-    return;
+    report_.lost_length += chord;
   }
-  ++report_.halved;
-  trace(from, half, curve_edge, depth + 1, pieces);
-  trace(half, to, curve_edge, depth + 1, pieces);
 }
 
-/// The asset's point nearest to the middle of the chord, not looking away from its ends.
-std::int32_t CurveTracer::middle(std::int32_t from, std::int32_t to) {
-  if (!tree_) tree_ = std::make_unique<ClosestPoint>(asset_.positions, asset_.triangles);
-  const Vec3 a = sites_.position(from), b = sites_.position(to);
-  ClosestPoint::Filter filter;
-  filter.normal = normal(from) + normal(to);
-  const ClosestPoint::Hit hit = tree_->find(0.5 * (a + b), filter);
-  if (hit.face < 0 || hit.distance > 0.5 * (b - a).norm()) return -1;
-  return sites_.at({hit.face, hit.weights});
+void CurveTracer::follow(const SurfaceWay& way, std::int32_t from, std::int32_t to,
+                         std::int32_t curve_edge, std::vector<CurvePiece>& pieces) {
+  std::int32_t site = from;
+  for (const Crossing& c : way.crossings) {
+    const std::int32_t reached = sites_.on_halfedge(c.halfedge, c.share);
+    if (reached != site) pieces.push_back({c.face, site, reached, curve_edge});
+    site = reached;
+  }
+  if (site != to) pieces.push_back({way.last_face, site, to, curve_edge});
 }
 
-bool CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
-                       std::int32_t curve_edge, std::vector<CurvePiece>& pieces) {
+/// The length of the way, infinite where there is none; pieces are then as before.
+double CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
+                         std::int32_t curve_edge, std::vector<CurvePiece>& pieces) {
   const std::size_t before = pieces.size();
   const Vec3 start = sites_.position(from), target = sites_.position(to);
-  double rest = longest_way * (target - start).norm();
+  const double most = longest_way * (target - start).norm();
+  double length = 0;
   const auto fail = [&] {
     pieces.resize(before);
-    return false;
+    return std::numeric_limits<double>::infinity();
   };
   std::int32_t site = from, face = -1;
   Vec3 origin = start, across = Vec3::Zero();
   for (int step = 0; step < most_steps; ++step) {
     if (const std::int32_t f = sites_.common_face(site, to); f >= 0) {
       pieces.push_back({f, site, to, curve_edge});
-      return true;
+      return length + (target - sites_.position(site)).norm();
     }
     if (step == 0 || sites_[site].kind == SiteKind::place) {  // a vertex may lie beside the plane
       origin = sites_.position(site);
@@ -99,8 +106,8 @@ bool CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
     if (next.face < 0) return fail();
     const std::int32_t reached = sites_.on_halfedge(next.halfedge, next.share);
     if (reached == site) return fail();
-    rest -= (sites_.position(reached) - sites_.position(site)).norm();
-    if (rest < 0) return fail();
+    length += (sites_.position(reached) - sites_.position(site)).norm();
+    if (length > most) return fail();
     pieces.push_back({next.face, site, reached, curve_edge});
     site = reached;
     face = next.face;

@@ -5,35 +5,17 @@
 #include <map>
 #include <utility>
 
-#include "craze/base/elementary.h"
 #include "craze/error.h"
 #include "craze/io/bytes/base64.h"
+#include "craze/io/gltf/texture_place.h"
 
 namespace craze {
 
 namespace {
 
-using Place = Eigen::Matrix<double, 2, 3>;
-
 const Json* object_in(const Json& object, const char* key) {
   const auto found = object.is_object() ? object.find(key) : object.end();
   return found != object.end() && found->is_object() ? &*found : nullptr;
-}
-
-/// Of v upwards; the file's runs down: v' = 1 − v before and after.
-Place texture_place(const Json& transform, const GltfJson& json) {
-  double offset[2] = {0, 0}, scale[2] = {1, 1};
-  json.numbers(transform, "offset", offset, 2);
-  json.numbers(transform, "scale", scale, 2);
-  const auto angle = transform.find("rotation");
-  const double r = angle != transform.end() && angle->is_number() ? angle->get<double>() : 0;
-  const double c = elementary::cos(r), s = elementary::sin(r);
-  Place down;
-  down << c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1];
-  Place up;
-  up << down(0, 0), -down(0, 1), down(0, 1) + down(0, 2),  //
-      -down(1, 0), down(1, 1), 1 - down(1, 1) - down(1, 2);
-  return up;
 }
 
 class Looks {

@@ -6,6 +6,7 @@
 
 #include "craze/io/files/new_file.h"
 #include "craze/io/image/deflate.h"
+#include "craze/io/image/png_chunks.h"
 #include "craze/io/image/row_image.h"
 
 namespace craze {
@@ -18,24 +19,20 @@ constexpr std::string_view zlib_header = "\x78\x01";
 constexpr char filter_left = 1;
 constexpr int linear_gamma = 100000;  // gAMA: 1
 
-void put_big(std::string& bytes, std::uint32_t x) {
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(x >> shift & 255);
-}
-
 class Png16 : public RowImage {
  public:
   Png16(const std::filesystem::path& path, const RowImageFormat& format, const Context& context)
       : format_(format), file_(path, "cannot write map", context) {
-    file_.append("\x89PNG\r\n\x1a\n");
+    file_.append(png_signature);
     std::string header;
     put_big(header, static_cast<std::uint32_t>(format.width));
     put_big(header, static_cast<std::uint32_t>(format.height));
     const char color = format.channels == 3 ? 2 : 0;
     header += {16, color, 0, 0, 0};
-    write_chunk("IHDR", header);
+    file_.append(png_chunk("IHDR", header));
     std::string gamma;
     put_big(gamma, linear_gamma);
-    write_chunk("gAMA", gamma);
+    file_.append(png_chunk("gAMA", gamma));
   }
 
   int block_rows() const override { return rows_of_block; }
@@ -67,11 +64,11 @@ class Png16 : public RowImage {
     std::string data = first == 0 ? std::string(zlib_header) : std::string();
     data += block.bytes;
     if (first + rows_of_block >= format_.height) put_big(data, checksum_);
-    write_chunk("IDAT", data);
+    file_.append(png_chunk("IDAT", data));
   }
 
   void finish() override {
-    write_chunk("IEND", "");
+    file_.append(png_chunk("IEND", ""));
     file_.finish();
   }
 
@@ -79,15 +76,6 @@ class Png16 : public RowImage {
   std::uint16_t whole(double x, int c) const {
     const double share = (x - format_.low[c]) / (format_.high[c] - format_.low[c]);
     return static_cast<std::uint16_t>(std::floor(std::clamp(share, 0.0, 1.0) * 65535 + 0.5));
-  }
-
-  void write_chunk(std::string_view type, std::string_view data) {
-    std::string chunk;
-    put_big(chunk, static_cast<std::uint32_t>(data.size()));
-    chunk += type;
-    chunk += data;
-    put_big(chunk, crc(std::string_view(chunk).substr(4)));
-    file_.append(chunk);
   }
 
   RowImageFormat format_;

@@ -47,7 +47,7 @@ SurfaceMesh remesh(const SurfaceMesh& input, const RemeshOptions& options, const
     approach_input(s);
   });
   progress.next_stage(s.mesh.face_slots());
-  return transfer_attributes({input, s.patch, s.tree}, s.mesh, progress.stage());
+  return transfer_attributes(s, progress.stage());
 }
 
 }  // namespace craze

@@ -45,7 +45,7 @@ bool is_near(const RemeshSurface& s, std::int32_t f) {
   const auto within = [&](const Vec3& p, std::int32_t h) {
     ClosestPoint::Filter filter = near_filter(s, h);
     filter.enough = s.max_distance;
-    return s.tree.find(p, filter).distance <= s.max_distance;
+    return s.walk.find(p, filter, s.max_distance).distance <= s.max_distance;
   };
   const Triangle& t = s.mesh.triangle(f);
   const Vec3 sum = s.mesh.position(t[0]) + s.mesh.position(t[1]) + s.mesh.position(t[2]);

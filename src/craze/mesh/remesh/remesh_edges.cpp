@@ -94,8 +94,7 @@ bool wants_flip(const RemeshSurface& s, std::int32_t h) {
   }
   // The gap between the two diagonals is what the flip moves the surface by.
   const Vec3 axis = (b - a).cross(d - c);
-  if (std::abs((c - a).dot(axis)) > 0.5 * s.max_distance * axis.norm()) return false;
-  return s.mesh.can_flip(h);
+  return std::abs((c - a).dot(axis)) <= 0.5 * s.max_distance * axis.norm();
 }
 
 }  // namespace
@@ -149,13 +148,27 @@ void collapse_short_edges(RemeshSurface& s) {
 }
 
 void flip_edges(RemeshSurface& s) {
+  // An edge that wants no flip wants none until a face beside it changes.
+  std::vector<char> unseen(s.mesh.halfedge_slots(), 1);
   for (int sweep = 0, flips = 1; sweep < 12 && flips > 0; ++sweep) {
     flips = 0;
     for (std::int32_t h = 0; h < s.mesh.halfedge_slots(); ++h) {
       s.step();
-      if (!s.mesh.is_edge(h) || !wants_flip(s, h)) continue;
+      if (!unseen[h] || !s.mesh.is_edge(h)) continue;
+      if (!wants_flip(s, h)) {
+        unseen[h] = 0;
+        continue;
+      }
+      if (!s.mesh.can_flip(h)) continue;
+      const std::int32_t faces[] = {h / 3, s.mesh.opposite(h) / 3};
       s.mesh.flip(h);
       ++flips;
+      for (const std::int32_t f : faces) {
+        for (std::int32_t g = 3 * f; g < 3 * f + 3; ++g) {
+          unseen[g] = 1;
+          if (s.mesh.opposite(g) >= 0) unseen[s.mesh.opposite(g)] = 1;
+        }
+      }
     }
   }
 }

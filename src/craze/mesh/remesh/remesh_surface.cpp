@@ -35,7 +35,8 @@ RemeshSurface::RemeshSurface(const SurfaceMesh& input_mesh, const TriangleMesh& 
       patch(patches(topology.face_count(), marks, seam,
                     [&](std::int32_t h) { return topology.opposite(h); })),
       tree(input.positions, input.triangles, patch),
-      mesh(input.positions, input.triangles, marks) {
+      walk(topology, tree),
+      mesh(topology, marks) {
   refuse_too_many(topology);
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     add_vertex(lengths[v], mesh.is_vertex(v) ? topology.first_halfedge(v) / 3 : -1);

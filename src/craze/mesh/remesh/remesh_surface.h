@@ -9,6 +9,7 @@
 #include "craze/mesh/edit_mesh.h"
 #include "craze/mesh/remesh/remesh.h"
 #include "craze/mesh/remesh/remesh_progress.h"
+#include "craze/mesh/remesh/surface_walk.h"
 #include "craze/mesh/triangle_mesh.h"
 
 namespace craze {
@@ -48,6 +49,7 @@ struct RemeshSurface {
   std::vector<char> marks;           ///< 3 #F of the input: what line its edge lies on
   std::vector<std::int32_t> patch;   ///< #F of the input: faces between the same seams
   ClosestPoint tree;                 ///< of the input
+  SurfaceWalk walk;                  ///< on the input
   EditMesh mesh;
   std::vector<double> length;      ///< #V: the length wanted at the vertex,
   std::vector<double> wanted;      ///< and with its random variation

@@ -19,12 +19,12 @@ struct Place {
 
 class Transfer {
  public:
-  Transfer(const RemeshSource& source, const EditMesh& mesh, const Context& context)
-      : source_(source), mesh_(mesh), context_(context) {
-    made_.triangles = mesh.compact(kept_);
-    for (std::int32_t v : kept_) made_.positions.push_back(mesh.position(v));
-    for (std::int32_t f = 0; f < mesh.face_slots(); ++f) {
-      if (mesh.is_face(f)) slots_.push_back(f);
+  Transfer(const RemeshSurface& remeshed, const Context& context)
+      : source_(remeshed), mesh_(remeshed.mesh), context_(context) {
+    made_.triangles = mesh_.compact(kept_);
+    for (std::int32_t v : kept_) made_.positions.push_back(mesh_.position(v));
+    for (std::int32_t f = 0; f < mesh_.face_slots(); ++f) {
+      if (mesh_.is_face(f)) slots_.push_back(f);
     }
   }
 
@@ -52,7 +52,7 @@ class Transfer {
 
   ClosestPoint::Hit find(const Vec3& p, const Vec3& normal, std::int32_t patch,
                          std::int32_t hint) const {
-    ClosestPoint::Hit hit = source_.tree.find(p, {normal, patch, hint});
+    ClosestPoint::Hit hit = source_.walk.find(p, {normal, patch, hint}, source_.max_distance);
     if (hit.face < 0) hit = source_.tree.find(p, {Vec3::Zero(), patch, -1});
     return hit;
   }
@@ -61,9 +61,9 @@ class Transfer {
     face_.resize(slots_.size());
     reporting_loop(context_, "remesh", slots_.size(), grain,
                    [&](std::size_t begin, std::size_t end) {
-                     std::int32_t hint = -1;
                      for (std::size_t f = begin; f < end; ++f) {
-                       hint = face_[f] = find(middle(f), normals_[f], -1, hint).face;
+                       const std::int32_t near = source_.near[mesh_.triangle(slots_[f])[0]];
+                       face_[f] = find(middle(f), normals_[f], -1, near).face;
                      }
                    });
   }
@@ -119,8 +119,8 @@ class Transfer {
   Place corner_place(std::size_t f, int i) const {
     const Vec3 p = corner(f, i), inside = p + 1e-4 * (middle(f) - p);
     const std::int32_t face = find(inside, normals_[f], patch_[f], face_[f]).face;
-    const Triangle& t = source_.surface.triangles[face];
-    const auto& q = source_.surface.positions;
+    const Triangle& t = source_.input.triangles[face];
+    const auto& q = source_.input.positions;
     return {face, nearest_weights(p, q[t[0]], q[t[1]], q[t[2]])};
   }
 
@@ -154,7 +154,7 @@ class Transfer {
   }
 
   void fill() {
-    const SurfaceMesh& s = source_.surface;
+    const SurfaceMesh& s = source_.input;
     for (const Place& at : corners_) {
       const std::int32_t c = 3 * at.face;
       const Vec3& w = at.weights;
@@ -205,7 +205,7 @@ class Transfer {
     }
   }
 
-  const RemeshSource& source_;
+  const RemeshSurface& source_;
   const EditMesh& mesh_;
   const Context& context_;
   SurfaceMesh made_;
@@ -220,9 +220,8 @@ class Transfer {
 
 }  // namespace
 
-SurfaceMesh transfer_attributes(const RemeshSource& source, const EditMesh& mesh,
-                                const Context& context) {
-  return Transfer(source, mesh, context).run();
+SurfaceMesh transfer_attributes(const RemeshSurface& remeshed, const Context& context) {
+  return Transfer(remeshed, context).run();
 }
 
 }  // namespace craze

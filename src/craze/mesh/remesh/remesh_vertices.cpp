@@ -9,6 +9,8 @@ namespace craze {
 namespace {
 
 constexpr std::size_t grain = 512;
+// Of a step along the surface: how far from it a walk may end that has not lost its way.
+constexpr double trusted_walk = 0.5;
 
 struct Move {
   bool wanted = false;
@@ -38,7 +40,8 @@ Move find_move(const RemeshSurface& s, std::int32_t v, double shaken) {
     step[axis] += shaken * s.wanted[v] * (2 * s.shaking.uniform_at(3ull * v + axis) - 1);
   }
   step -= step.dot(normal) * normal;
-  const ClosestPoint::Hit hit = s.tree.find(p + step, {normal, -1, s.near[v]});
+  const ClosestPoint::Hit hit =
+      s.walk.find(p + step, {normal, -1, s.near[v]}, trusted_walk * step.norm());
   if (hit.face < 0) return move;
   move.wanted = true;
   move.to = hit.point;
@@ -97,7 +100,8 @@ std::vector<std::int32_t> pull_vertices(RemeshSurface& s) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto v = static_cast<std::int32_t>(i);
       if (!s.mesh.is_vertex(v) || s.mesh.count_marked(v) > 0) continue;
-      const auto hit = s.tree.find(s.mesh.position(v), {Vec3::Zero(), -1, s.near[v], enough});
+      const auto hit =
+          s.walk.find(s.mesh.position(v), {Vec3::Zero(), -1, s.near[v], enough}, enough);
       moves[v].to = hit.point;
       moves[v].face = hit.face;
       moves[v].wanted = hit.distance > enough;

@@ -4,6 +4,8 @@
 #include <limits>
 #include <tuple>
 
+#include "craze/mesh/sorted_halfedges.h"
+
 namespace craze {
 
 namespace {
@@ -60,17 +62,10 @@ class Pairing {
   }
 
   void pair_all() {
-    std::vector<std::int32_t> edges(3 * triangles_.size());
-    for (std::size_t h = 0; h < edges.size(); ++h) edges[h] = static_cast<std::int32_t>(h);
-    const auto key = [&](std::int32_t h) {
-      return std::make_tuple(std::min(from(h), to(h)), std::max(from(h), to(h)));
-    };
-    std::sort(edges.begin(), edges.end(), [&](std::int32_t g, std::int32_t h) {
-      return std::make_tuple(key(g), g) < std::make_tuple(key(h), h);
-    });
+    const std::vector<std::int32_t> edges = sorted_halfedges(triangles_, positions_.size());
     for (std::size_t i = 0, j; i < edges.size(); i = j) {
-      j = i + 1;
-      while (j < edges.size() && key(edges[j]) == key(edges[i])) ++j;
+      const VertexPair edge = vertices_of(triangles_, edges[i]);
+      for (j = i + 1; j < edges.size() && vertices_of(triangles_, edges[j]) == edge;) ++j;
       if (j - i == 2) join(edges[i], edges[i + 1]);
       if (j - i > 2) pair_crowd({edges.begin() + i, edges.begin() + j});
     }

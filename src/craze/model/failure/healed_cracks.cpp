@@ -13,6 +13,8 @@ namespace {
 
 // A piece is felt up to this many deviations from it.
 constexpr double reach = 6.5;
+// From here on erf is 1 in double precision: such a piece adds nothing.
+constexpr double erf_is_one = 6;
 // Of the longest piece.
 constexpr double least_width = 1e-9;
 
@@ -51,10 +53,10 @@ Mat3 HealedCracks::weakness(const Vec3& position) const {
           const Vec3 d = position - p.start;
           const double along = d.dot(p.along);
           const double across = (d.squaredNorm() - along * along) * scale * scale;
-          if (across > reach * reach / 2) continue;
+          const double from = scale * along, to = scale * (along - p.length);
+          if (across > reach * reach / 2 || from < -erf_is_one || to > erf_is_one) continue;
           const double g =
-              elementary::exp(-across) / 2 *
-              (elementary::erf(scale * along) - elementary::erf(scale * (along - p.length)));
+              elementary::exp(-across) / 2 * (elementary::erf(from) - elementary::erf(to));
           sum += (1 - root_) * g * p.normal * p.normal.transpose();
         }
       }

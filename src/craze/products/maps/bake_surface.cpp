@@ -117,7 +117,7 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
     for (const MapInfo& info : map_table()) options.maps.push_back(info.kind);
   }
   context.report({"maps", 0});
-  const UvLayout layout = uv_layout(maps, context);
+  const UvLayout layout = uv_layout(maps, options.by_material, context);
   const MapFaces faces(maps.surface);
   const GrooveSizes sizes = groove_sizes(maps, options.post);
   const std::vector<std::int32_t> islands = uv_islands(maps.surface);
@@ -132,7 +132,8 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
     std::vector<MapHeader> headers;
     for (const MapKind kind : options.maps) {
       const MapSheet& sheet = layout.sheets[i];
-      MapHeader header{kind, sheet.texture_set, sheet.udim, options.size, options.green_up};
+      MapHeader header{kind,       sheet.texture_set, sheet.material,
+                       sheet.udim, options.size,      options.green_up};
       ranges.set(header);
       headers.push_back(header);
     }

@@ -2,7 +2,6 @@
 
 #include "craze/engine/cracked_surface.h"
 #include "craze/maps.h"
-#include "craze/products/cut_surface.h"
 
 namespace craze {
 
@@ -51,12 +50,16 @@ class WidthsAtNodes {
 }  // namespace
 
 MapSurface map_surface(const Result& result) {
+  return map_surface(result, result.state().surface);
+}
+
+MapSurface map_surface(const Result& result, const SurfaceMesh& uncut) {
   const CrackedSurface& state = result.state();
-  check_uvs(state.surface);
+  check_uvs(uncut);
   MapSurface maps;
-  maps.surface = state.surface;
+  maps.surface = uncut;
   const TriangleMesh& cut = state.mesh();
-  const SurfaceMesh with_uvs = plain_cut_surface(result);
+  const SurfaceMesh with_uvs = state.with_attributes(uncut);
   for (std::int32_t f = 0; f < cut.face_count(); ++f) {
     const auto corner = 3 * static_cast<std::size_t>(f);
     const std::int32_t face = state.asset ? state.asset->cut.face_source[f] : cut.source_face(f);

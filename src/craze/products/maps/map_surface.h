@@ -38,6 +38,10 @@ struct MapSurface {
 /// Throws Error(request) where there are no UVs.
 MapSurface map_surface(const Result& result);
 
+/// The same in other UVs: `uncut` is what the run cut its cracks into (CrackedSurface::surface),
+/// but for its UVs and normals.
+MapSurface map_surface(const Result& result, const SurfaceMesh& uncut);
+
 /// Of a mesh whose shut cracks are open edges that lie on each other (distance/seams.h). Takes
 /// widths from the vertex attribute displacement, times from crack_time, and pieces from the face
 /// attribute fragment or, without it, from what hangs together. Cracks are numbered by the lines

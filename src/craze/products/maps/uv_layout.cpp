@@ -90,6 +90,7 @@ std::vector<MapSheet> sheets_of(const MapSurface& maps, bool tiles, std::int32_t
   for (auto& [udim, sheet] : sheets) {
     sheet.udim = udim;
     if (by_material) {
+      sheet.material = material;
       sheet.texture_set = material < 0 ? "none" : maps.surface.material_names[material];
     }
     result.push_back(std::move(sheet));
@@ -132,29 +133,34 @@ void make_names_distinct(std::vector<MapSheet>& sheets) {
 
 }  // namespace
 
-UvLayout uv_layout(const MapSurface& maps, const Context& context) {
+UvLayout uv_layout(const MapSurface& maps, bool by_material, const Context& context) {
   UvLayout layout;
-  const bool tiles = has_tiles(maps.pieces);
-  layout.sheets = sheets_of(maps, tiles, -1, false);
-  double overlapping = overlap(maps, layout.sheets);
-  context.check();
+  const bool tiles = !by_material && has_tiles(maps.pieces);
   const Materials& materials = maps.surface.face_materials;
   const std::set<std::int32_t> used(materials.begin(), materials.end());
-  if (overlapping > unseen && used.size() > 1) {
-    std::vector<MapSheet> apart;
+  const auto apart = [&] {
+    std::vector<MapSheet> sheets;
     for (const std::int32_t material : used) {
       context.check();
       for (MapSheet& sheet : sheets_of(maps, tiles, material, true)) {
-        apart.push_back(std::move(sheet));
+        sheets.push_back(std::move(sheet));
       }
     }
-    const double less = overlap(maps, apart);
+    return sheets;
+  };
+  const bool must_part = by_material && !used.empty();
+  layout.sheets = must_part ? apart() : sheets_of(maps, tiles, -1, false);
+  double overlapping = overlap(maps, layout.sheets);
+  context.check();
+  if (!must_part && overlapping > unseen && used.size() > 1) {
+    std::vector<MapSheet> sheets = apart();
+    const double less = overlap(maps, sheets);
     if (less < overlapping / 2) {
-      layout.sheets = std::move(apart);
+      layout.sheets = std::move(sheets);
       overlapping = less;
-      make_names_distinct(layout.sheets);
     }
   }
+  if (layout.sheets.size() > 1) make_names_distinct(layout.sheets);
   if (overlapping > unseen) {
     layout.warnings.push_back(fmt::format(
         "the UVs overlap (maps): {:.2g} % of the covered texels belong to several places of the "

@@ -19,6 +19,7 @@ struct PlacedPiece {
 /// One picture: a set, or one of its tiles.
 struct MapSheet {
   std::string texture_set;
+  std::int32_t material = -1;  ///< whose set it is; −1: of several, or of none
   int udim = 0;
   std::vector<PlacedPiece> pieces;
 };
@@ -30,8 +31,9 @@ struct UvLayout {
 
 /// One set for all materials where their UVs lie apart, else one per material. Tiles where each
 /// piece lies in one cell of the grid 0 ≤ u < 10, 0 ≤ v and not all in the first; UVs that leave
-/// 0 … 1 otherwise repeat. Warns where UVs overlap within a set.
-UvLayout uv_layout(const MapSurface& maps, const Context& context);
+/// 0 … 1 otherwise repeat. by_material: one set per material whatever lies apart, and no tiles.
+/// Warns where UVs overlap within a set.
+UvLayout uv_layout(const MapSurface& maps, bool by_material, const Context& context);
 
 /// #F, 1: a corner of the face is on the border of an island of the UVs.
 std::vector<std::uint8_t> faces_at_uv_border(const SurfaceMesh& surface);

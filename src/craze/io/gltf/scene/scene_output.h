@@ -33,6 +33,8 @@ class SceneOutput {
   /// Indices of the narrowest type that is not below `least` (a componentType).
   std::size_t add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices,
                           std::size_t least);
+  /// A view of any bytes, such as a picture's.
+  std::size_t add_bytes(const std::string& bytes) { return add_view(bytes, Use::plain, 0); }
   /// Names an extension among those used.
   void use_extension(const char* name);
   /// Names it among them no more.

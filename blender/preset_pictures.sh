@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Usage: preset_pictures.sh CRAZE. Makes the panel's pictures anew, one of each preset: a plate from
+# above, filling the picture. About five minutes, nearly all of it the cycles of mud-mature.
+set -euo pipefail
+folder=$(cd "$(dirname "$0")" && pwd)/craze_blender/pictures
+mkdir -p "$folder"
+for preset in $("$1" presets | cut -d ' ' -f 1); do
+  "$1" crack 'shape:plate?n=40&jitter=0.3' --preset "$preset" --seed 1 --quiet --no-warnings \
+    --picture "$folder/$preset.png" --width 96 --height 96 --elevation 90 --zoom 1.5 --line-width 0.012
+done

@@ -1,0 +1,14 @@
+// Where a texture lies on its UVs.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "craze/io/gltf/gltf_json.h"
+
+namespace craze {
+
+/// 2 × 3: from (u, v, 1), v upwards, to the texture's, as a KHR_texture_transform says. Throws
+/// Error(input).
+Eigen::Matrix<double, 2, 3> texture_place(const Json& transform, const GltfJson& json);
+
+}  // namespace craze

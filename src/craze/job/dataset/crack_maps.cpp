@@ -1,0 +1,234 @@
+#include "craze/job/dataset/crack_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "craze/base/parallel.h"
+#include "craze/engine/cracked_surface.h"
+
+namespace craze {
+
+namespace {
+
+constexpr int cells = 8, corners = cells + 1;
+constexpr int lattice = corners * corners;
+constexpr double nowhere = std::numeric_limits<double>::max();
+
+/// Part of a triangle's area where a linear function is below 0, from its values at the corners.
+double part_below(double a, double b, double c) {
+  if (a > b) std::swap(a, b);
+  if (b > c) std::swap(b, c);
+  if (a > b) std::swap(a, b);
+  if (a >= 0) return 0;
+  if (c <= 0) return 1;
+  if (b >= 0) return a / (a - b) * (a / (a - c));
+  return 1 - c / (c - a) * (c / (c - b));
+}
+
+/// The crack nearest to a place, by the distance from its edge.
+struct Nearest {
+  double outside = nowhere;  ///< from the edge of the strip, length; negative inside
+  std::int32_t line = -1;
+  double along = 0;  ///< 0 … 1 on the line
+};
+
+class PixelCracks {
+ public:
+  PixelCracks(const Scene& scene, const render::RayScene& rays, const LabelNoise& noise)
+      : scene_(scene), rays_(rays), noise_(noise) {
+    is_noisy_ = noise.grow != 0 ||
+                std::find(noise.dropped.begin(), noise.dropped.end(), 1) != noise.dropped.end();
+  }
+
+  void measure(int x, int y, CrackMaps& maps) const {
+    const std::size_t i = static_cast<std::size_t>(y) * scene_.projection.width() + x;
+    std::array<double, lattice> outside, labelled;
+    trace(x, y, outside, labelled);
+    maps.coverage[i] = static_cast<float>(area(outside));
+    maps.label[i] = is_noisy_ ? static_cast<float>(area(labelled)) : maps.coverage[i];
+    if (maps.coverage[i] <= 0) return;
+    const render::Hit hit = rays_.intersect(scene_.projection.ray(x + 0.5, y + 0.5));
+    Nearest nearest;
+    Vec3 normal;
+    if (hit.face >= 0) nearest = nearest_to(hit.face, point_of(hit), false);
+    if (nearest.line < 0) {
+      // The middle sees something else: the part of the pixel that is deepest in a crack tells.
+      nearest = deepest(x, y, normal);
+    } else {
+      normal = normal_of(hit.face);
+    }
+    if (nearest.line < 0) return;
+    maps.crack[i] = scene_.crack_of_line[nearest.line];
+    maps.width[i] = static_cast<float>(width_of(nearest, normal));
+  }
+
+ private:
+  Vec3 point_of(const render::Hit& hit) const {
+    const Triangle& t = scene_.mesh.triangles[hit.face];
+    const Vec3& a = scene_.mesh.positions[t[0]];
+    const double u = hit.u, v = hit.v;
+    return a + u * (scene_.mesh.positions[t[1]] - a) + v * (scene_.mesh.positions[t[2]] - a);
+  }
+
+  Vec3 normal_of(std::int32_t f) const {
+    const Triangle& t = scene_.mesh.triangles[f];
+    const Vec3& a = scene_.mesh.positions[t[0]];
+    return (scene_.mesh.positions[t[1]] - a)
+        .cross(scene_.mesh.positions[t[2]] - a)
+        .stableNormalized();
+  }
+
+  Nearest nearest_to(std::int32_t face, const Vec3& p, bool kept_only) const {
+    Nearest nearest;
+    const NearbyCracks& cracks = scene_.lines.cracks;
+    const auto first = static_cast<std::int32_t>(cracks.first.empty() ? 0 : cracks.first[face]);
+    const auto near = cracks.of(face);
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      const auto line = first + static_cast<std::int32_t>(k);
+      const std::int32_t crack = scene_.crack_of_line[line];
+      if (crack < 0 || (kept_only && !noise_.dropped.empty() && noise_.dropped[crack])) continue;
+      const Vec3 along = near[k].b - near[k].a, off = p - near[k].a;
+      const double squared = along.squaredNorm();
+      const double t = squared > 0 ? std::clamp(off.dot(along) / squared, 0.0, 1.0) : 0;
+      const double half = half_width(line, t);
+      if (half <= 0) continue;
+      const double outside = (off - t * along).norm() - half;
+      if (outside < nearest.outside) nearest = {outside, line, t};
+    }
+    return nearest;
+  }
+
+  double half_width(std::int32_t line, double t) const {
+    const auto& w = scene_.lines.width[line];
+    return scene_.options.line_width * ((1 - t) * w[0] + t * w[1]) / 2;
+  }
+
+  template <class Visit>
+  void each_corner(int x, int y, const Visit& visit) const {
+    for (int first = 0; first < lattice; first += render::RayScene::lanes) {
+      render::RayScene::Rays rays;
+      render::RayScene::Hits hits;
+      const int count = std::min(render::RayScene::lanes, lattice - first);
+      for (int k = 0; k < count; ++k) {
+        const int i = (first + k) % corners, j = (first + k) / corners;
+        rays[k] = scene_.projection.ray(x + static_cast<double>(i) / cells,
+                                        y + static_cast<double>(j) / cells);
+      }
+      rays_.intersect(rays, hits);
+      for (int k = 0; k < count; ++k) visit(first + k, hits[k]);
+    }
+  }
+
+  void trace(int x, int y, std::array<double, lattice>& outside,
+             std::array<double, lattice>& labelled) const {
+    each_corner(x, y, [&](int k, const render::Hit& hit) {
+      outside[k] = labelled[k] = far();
+      if (hit.face < 0) return;
+      const Vec3 p = point_of(hit);
+      outside[k] = std::min(far(), nearest_to(hit.face, p, false).outside);
+      labelled[k] = outside[k];
+      if (!is_noisy_) return;
+      const double pixel = scene_.projection.pixel_size(hit.distance / scene_.projection.scale());
+      labelled[k] = std::min(far(), nearest_to(hit.face, p, true).outside) - noise_.grow * pixel;
+    });
+  }
+
+  /// What stands for the distance where there is no crack.
+  double far() const { return 100 * scene_.options.line_width; }
+
+  static double area(const std::array<double, lattice>& g) {
+    double sum = 0;
+    for (int j = 0; j < cells; ++j) {
+      for (int i = 0; i < cells; ++i) {
+        const double a = g[j * corners + i], b = g[j * corners + i + 1],
+                     c = g[(j + 1) * corners + i], d = g[(j + 1) * corners + i + 1];
+        sum += part_below(a, b, d) + part_below(a, c, d);
+      }
+    }
+    return sum / (2 * cells * cells);
+  }
+
+  Nearest deepest(int x, int y, Vec3& normal) const {
+    Nearest best;
+    each_corner(x, y, [&](int, const render::Hit& hit) {
+      if (hit.face < 0) return;
+      const Nearest here = nearest_to(hit.face, point_of(hit), false);
+      if (here.outside >= best.outside) return;
+      best = here;
+      normal = normal_of(hit.face);
+    });
+    return best;
+  }
+
+  double width_of(const Nearest& nearest, const Vec3& normal) const {
+    const NearbyCrack& line = scene_.lines.cracks.segments[nearest.line];
+    const Vec3 along = (line.b - line.a).stableNormalized();
+    const Vec3 middle = line.a + nearest.along * (line.b - line.a);
+    return scene_.projection.seen_width(middle, along, normal.cross(along),
+                                        2 * half_width(nearest.line, nearest.along));
+  }
+
+  const Scene& scene_;
+  const render::RayScene& rays_;
+  const LabelNoise& noise_;
+  bool is_noisy_ = false;
+};
+
+/// The pixels that a crack or a grown mask may touch: those near the picture of an edge.
+std::vector<std::uint8_t> near_cracks(const Scene& scene, double grow) {
+  const Projection& projection = scene.projection;
+  const int width = projection.width(), height = projection.height();
+  std::vector<std::uint8_t> near(static_cast<std::size_t>(width) * height, 0);
+  const CrackNetwork& network = scene.result.state().network;
+  for (std::size_t c = 0; c < scene.cracks.size(); ++c) {
+    const WholeCrack& crack = scene.cracks[c];
+    for (std::size_t i = 0; i + 1 < crack.nodes.size(); ++i) {
+      const Vec3& a = network.nodes[crack.nodes[i]].position;
+      const Vec3& b = network.nodes[crack.nodes[i + 1]].position;
+      const double least = std::min(projection.depth(a), projection.depth(b));
+      if (!(least > 0)) continue;
+      const double wide = std::max(scene.widths[c][i], scene.widths[c][i + 1]);
+      const double reach = wide / 2 / projection.pixel_size(least) + std::max(0.0, grow) + 2;
+      const Vec2 p = projection.pixel(a), q = projection.pixel(b);
+      if (!p.allFinite() || !q.allFinite()) continue;
+      const Vec2 low = p.cwiseMin(q), high = p.cwiseMax(q);
+      const auto first = [](double v, int size) {
+        return static_cast<int>(std::clamp(std::floor(v), 0.0, static_cast<double>(size)));
+      };
+      const int x1 = first(high.x() + reach + 1, width), y1 = first(high.y() + reach + 1, height);
+      for (int y = first(low.y() - reach, height); y < y1; ++y) {
+        for (int x = first(low.x() - reach, width); x < x1; ++x) {
+          near[static_cast<std::size_t>(y) * width + x] = 1;
+        }
+      }
+    }
+  }
+  return near;
+}
+
+}  // namespace
+
+CrackMaps crack_maps(const Scene& scene, const render::RayScene& rays, const LabelNoise& noise,
+                     const Context& context) {
+  const int width = scene.projection.width(), height = scene.projection.height();
+  const std::size_t size = static_cast<std::size_t>(width) * height;
+  CrackMaps maps{std::vector<float>(size, 0), std::vector<float>(size, 0),
+                 std::vector<float>(size, 0), std::vector<std::int32_t>(size, -1)};
+  if (scene.cracks.empty()) return maps;
+  const std::vector<std::uint8_t> near = near_cracks(scene, noise.grow);
+  const PixelCracks pixels(scene, rays, noise);
+  parallel_for(context.threads, static_cast<std::size_t>(height), 4,
+               [&](std::size_t begin, std::size_t end) {
+                 for (std::size_t y = begin; y < end; ++y) {
+                   for (int x = 0; x < width; ++x) {
+                     if (!near[y * width + x]) continue;
+                     pixels.measure(x, static_cast<int>(y), maps);
+                   }
+                 }
+               });
+  return maps;
+}
+
+}  // namespace craze

@@ -1,0 +1,52 @@
+// Labelled pictures by the hundred thousand, on any number of machines, stopped at any time.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "craze/context.h"
+#include "craze/job/dataset/sample.h"
+#include "craze/job/plan/plan_folder.h"
+#include "craze/job/plan/shard.h"
+
+namespace craze {
+
+struct DatasetResult {
+  std::uint64_t samples = 0;      ///< of the plan
+  std::uint64_t shards = 0;       ///< of the plan
+  std::uint64_t shards_made = 0;  ///< now
+  std::uint64_t shards_left = 0;  ///< not there yet, of any --shard
+};
+
+/// The plan with another number of samples: its text, with that line in front.
+PlanSource with_samples(const PlanSource& source, std::uint64_t samples);
+
+/// Makes the archives of a shard that are not there yet (shard_files.h). Where none is missing, of
+/// whatever shard, writes coco.json, croissant.json and dataset.json of all. Archives do not depend
+/// on the shards, on threads or on where a run was stopped. Throws Error and Cancelled; archives
+/// made until then stay.
+DatasetResult make_dataset(const PlanSource& source, const std::filesystem::path& folder,
+                           Shard shard, const Context& context);
+
+/// What is wrong with a set, a sentence each; none: it is whole and every byte is what it was.
+/// Reads all of it, a file at a time. Throws Error(input) where it is no set, and Cancelled.
+std::vector<std::string> verify_dataset(const std::filesystem::path& folder,
+                                        const Context& context);
+
+/// A sample made again beside what the set holds: the kinds of files that differ; and the files.
+struct RemadeSample {
+  Sample sample;
+  std::vector<std::string> differing;
+};
+/// Throws Error(usage) where the set has no such sample, Error(input) where its archive cannot be
+/// read.
+RemadeSample remake_sample(const std::filesystem::path& folder, const std::string& id,
+                           const Context& context);
+
+/// The set's statistics as JSON: what dataset.json holds. Of the shards that are there.
+std::string dataset_json(const DatasetPlan& plan, const std::filesystem::path& folder);
+
+}  // namespace craze

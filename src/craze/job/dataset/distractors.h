@@ -1,0 +1,20 @@
+// Marks that are no cracks, strewn over what a picture shows.
+#pragma once
+
+#include <vector>
+
+#include "craze/job/dataset/projection.h"
+#include "craze/job/plan/plan.h"
+#include "craze/render/marks.h"
+#include "craze/render/ray_scene.h"
+#include "craze/surface_mesh.h"
+
+namespace craze {
+
+/// As many of each kind as the values say, where rays through random places of the picture meet the
+/// mesh; their sizes go with the picture's pixels. Model units.
+std::vector<render::Mark> strewn_marks(const PlanValues& values, const SurfaceMesh& mesh,
+                                       const render::RayScene& rays, const Projection& projection,
+                                       const render::Rgb& color, std::uint64_t seed);
+
+}  // namespace craze

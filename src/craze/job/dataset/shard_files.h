@@ -1,0 +1,38 @@
+// The shards of a dataset: an archive, its boxes, and a marker that says that both are whole.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "craze/context.h"
+#include "craze/job/dataset/sample.h"
+
+namespace craze {
+
+struct ShardPaths {
+  std::filesystem::path tar, coco, marker;
+};
+
+/// FOLDER/shards/000017.tar, .coco.json, .json.
+ShardPaths shard_paths(const std::filesystem::path& folder, std::uint64_t shard);
+
+/// What a marker says.
+struct ShardMark {
+  std::uint64_t first = 0, samples = 0;  ///< the indices that are in it
+  std::uint64_t bytes = 0;               ///< of the archive
+  std::string tar_sha256, coco_sha256;
+  SampleSums sums;
+};
+
+/// The marker, where there is one, it is sound, and the archive beside it has its size.
+std::optional<ShardMark> read_mark(const ShardPaths& paths);
+
+/// Makes a shard, sample by sample: no more is in memory than one for each of the context's
+/// threads. The marker is written last. Each file is whole or not there. Throws Error and
+/// Cancelled.
+ShardMark write_shard(const DatasetPlan& plan, const std::filesystem::path& folder,
+                      std::uint64_t shard, const Context& context);
+
+}  // namespace craze

@@ -1,0 +1,106 @@
+#include "craze/job/plan/distribution.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "craze/base/elementary.h"
+#include "craze/error.h"
+
+namespace craze {
+
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+double draw_normal(const Normal& d, Random& random) {
+  constexpr int tries = 64;
+  double x = d.mean;
+  for (int i = 0; i < tries; ++i) {
+    x = d.mean + d.deviation * random.normal();
+    if (x >= d.low && x <= d.high) return x;
+  }
+  return std::clamp(x, d.low, d.high);
+}
+
+const PlanValue& draw_choice(const Choice& d, Random& random) {
+  if (d.weights.empty()) return d.values[random.below(d.values.size())];
+  double left = random.uniform() * std::accumulate(d.weights.begin(), d.weights.end(), 0.0);
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < d.values.size(); ++i) {
+    if (d.weights[i] <= 0) continue;
+    last = i;
+    if (left < d.weights[i]) break;
+    left -= d.weights[i];
+  }
+  return d.values[last];
+}
+
+PlanValue follow(const Linked& d, const PlanValue& other, const std::string& where) {
+  if (!d.map.empty()) {
+    const auto found = d.map.find(plan_text(other));
+    if (found != d.map.end()) return found->second;
+    throw Error(ErrorKind::usage, "no value for " + d.key + " = " + plan_text(other), where,
+                "the map has none");
+  }
+  const auto* number = std::get_if<double>(&other);
+  if (number) return d.offset + d.factor * *number;
+  if (d.factor == 1 && d.offset == 0) return other;
+  throw Error(ErrorKind::usage, "cannot calculate with " + d.key, where,
+              plan_text(other) + " is not a number; give a map");
+}
+
+}  // namespace
+
+std::string plan_text(const PlanValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return fmt::format("{}", std::get<double>(value));
+}
+
+PlanValue draw(const Distribution& distribution, Random& random, const PlanValue* other,
+               const std::string& where) {
+  return std::visit(
+      Overloaded{[](const Constant& d) { return d.value; },
+                 [&](const Uniform& d) { return PlanValue(random.uniform(d.low, d.high)); },
+                 [&](const LogUniform& d) {
+                   const double u = random.uniform();
+                   const double log =
+                       elementary::log(d.low) * (1 - u) + elementary::log(d.high) * u;
+                   return PlanValue(std::clamp(elementary::exp(log), d.low, d.high));
+                 },
+                 [&](const Normal& d) { return PlanValue(draw_normal(d, random)); },
+                 [&](const Choice& d) { return draw_choice(d, random); },
+                 [&](const Linked& d) { return follow(d, *other, where); },
+                 [](const Axis& d) { return d.values.front(); }},
+      distribution);
+}
+
+std::vector<PlanValue> extremes(const Distribution& distribution) {
+  using Values = std::vector<PlanValue>;
+  return std::visit(Overloaded{[](const Constant& d) { return Values{d.value}; },
+                               [](const Uniform& d) {
+                                 return Values{d.low, d.high};
+                               },
+                               [](const LogUniform& d) {
+                                 return Values{d.low, d.high};
+                               },
+                               [](const Normal& d) {
+                                 return Values{d.low, d.high};
+                               },
+                               [](const Choice& d) { return d.values; },
+                               [](const Linked& d) {
+                                 Values values;
+                                 for (const auto& [word, value] : d.map) values.push_back(value);
+                                 return values;
+                               },
+                               [](const Axis& d) { return d.values; }},
+                    distribution);
+}
+
+}  // namespace craze

@@ -1,0 +1,75 @@
+#include "craze/job/plan/plan_folder.h"
+
+#include <nlohmann/json.hpp>
+
+#include "craze/base/version.h"
+#include "craze/error.h"
+#include "craze/io/files/atomic_file.h"
+#include "craze/io/files/read_file.h"
+#include "craze/job/output_folder.h"
+#include "craze/recipe/toml_text.h"
+
+namespace craze {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* plan_file = "plan.toml";
+constexpr const char* origin_file = "made_by.json";
+
+nlohmann::ordered_json origin_of(const fs::path& folder) {
+  try {
+    return nlohmann::ordered_json::parse(
+        read_file(folder / origin_file, "cannot read what made the folder"));
+  } catch (const nlohmann::json::exception&) {
+    throw Error(ErrorKind::input, "cannot read what made the folder",
+                (folder / origin_file).string(), "it is damaged");
+  }
+}
+
+}  // namespace
+
+PlanSource read_plan_file(const fs::path& path) {
+  std::error_code failed;
+  const auto size = fs::file_size(path, failed);
+  if (!failed && size > toml_size_limit) {
+    throw Error(ErrorKind::usage, "not a plan", path.string(), "larger than a mebibyte");
+  }
+  return {read_file(path, "cannot read the plan"), path.string(),
+          fs::absolute(path).parent_path().lexically_normal()};
+}
+
+void claim_plan_folder(const fs::path& folder, const PlanSource& source, const std::string& kind,
+                       const Context& context) {
+  const nlohmann::ordered_json origin{
+      {"kind", kind}, {"version", version()}, {"plan_folder", source.folder.string()}};
+  if (fs::exists(folder / plan_file)) {
+    if (read_file(folder / plan_file, "cannot read the plan") != source.text) {
+      throw Error(ErrorKind::usage, "the folder holds another plan", folder.string(),
+                  "give an empty one, or the plan it was begun with");
+    }
+    if (fs::exists(folder / origin_file)) {
+      const nlohmann::ordered_json there = origin_of(folder);
+      for (const char* what : {"kind", "version"}) {
+        if (there.value(what, "") == origin[what]) continue;
+        throw Error(ErrorKind::usage, "the folder was made otherwise", folder.string(),
+                    std::string(what) + " " + there.value(what, "unknown") + " there, " +
+                        origin[what].get<std::string>() + " now; give an empty folder");
+      }
+      return;
+    }
+  }
+  make_output_folder("the folder", folder);
+  constexpr const char* failure = "cannot write the folder's plan";
+  write_file(folder / plan_file, source.text, failure, context);
+  write_file(folder / origin_file, origin.dump(2) + "\n", failure, context);
+}
+
+PlanSource plan_of_folder(const fs::path& folder) {
+  const nlohmann::ordered_json origin = origin_of(folder);
+  return {read_file(folder / plan_file, "cannot read the plan"), (folder / plan_file).string(),
+          origin.value("plan_folder", std::string("."))};
+}
+
+}  // namespace craze

@@ -1,0 +1,31 @@
+// The folder that a plan's files go to, which several processes may fill and any may resume.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "craze/context.h"
+#include "craze/job/plan/plan.h"
+
+namespace craze {
+
+/// Where a plan came from; its mesh files are named from there.
+struct PlanSource {
+  std::string text;
+  std::string name;              ///< what errors call it
+  std::filesystem::path folder;  ///< absolute
+};
+
+/// A plan's file. Throws Error(input) where it cannot be read.
+PlanSource read_plan_file(const std::filesystem::path& path);
+
+/// Makes the folder and writes plan.toml and made_by.json, which say what it holds and which
+/// version made it. Throws Error(usage) where it holds another plan, or was made by another
+/// version, whose files these could not be told from; Error(output) where it cannot be written.
+void claim_plan_folder(const std::filesystem::path& folder, const PlanSource& source,
+                       const std::string& kind, const Context& context);
+
+/// The plan that a folder was made by. Throws Error(input) where it is no such folder.
+PlanSource plan_of_folder(const std::filesystem::path& folder);
+
+}  // namespace craze

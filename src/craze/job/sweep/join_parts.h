@@ -1,0 +1,26 @@
+// The parts of a sweep's table, and the table.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "craze/context.h"
+#include "craze/job/sweep/sweep_rows.h"
+
+namespace craze {
+
+std::filesystem::path part_file(const std::filesystem::path& folder, std::uint64_t part);
+
+/// A part's lines with a last one that says how many they are and their checksum.
+std::string with_mark(std::string_view lines, std::uint64_t count);
+
+/// Whether the file is there and its last line says that it is whole, with so many rows.
+bool is_whole_part(const std::filesystem::path& file, std::uint64_t count);
+
+/// table.csv and table.npy of all parts, which must be whole, a part in memory at a time. Each file
+/// is whole or not there. Throws Error(output), Error(input) and Cancelled.
+void join_parts(const SweepRows& rows, const std::filesystem::path& folder, const Context& context);
+
+}  // namespace craze

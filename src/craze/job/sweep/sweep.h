@@ -1,0 +1,28 @@
+// Many runs over grids and random designs, as one table; on any number of machines, stopped at any
+// time.
+#pragma once
+
+#include <filesystem>
+
+#include "craze/context.h"
+#include "craze/job/plan/plan_folder.h"
+#include "craze/job/plan/shard.h"
+
+namespace craze {
+
+struct SweepResult {
+  std::uint64_t rows = 0;        ///< of the plan
+  std::uint64_t parts = 0;       ///< of the plan
+  std::uint64_t parts_made = 0;  ///< now
+  std::uint64_t parts_left = 0;  ///< not there yet, of any shard
+};
+
+/// Runs the rows of a shard that are not there yet and writes them to FOLDER/parts, a file for each
+/// part. Where no part is missing, of whatever shard, joins them to FOLDER/table.csv and table.npy
+/// (an array of records for NumPy). Parts do not depend on the shards, on threads or on where a run
+/// was stopped; a part that is there is whole and is kept. Rows run beside each other on the
+/// context's threads. Throws Error and Cancelled; parts made until then stay.
+SweepResult run_sweep(const PlanSource& source, const std::filesystem::path& folder, Shard shard,
+                      const Context& context);
+
+}  // namespace craze

@@ -1,0 +1,159 @@
+// Carrying things from face to face, nearest first.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "craze/context.h"
+#include "craze/mesh/triangle_mesh.h"
+
+namespace craze {
+
+/// Carries what Rules say outwards over the faces of a mesh, never across an open edge. Each thing
+/// is accepted by a face once at most, and the nearest first. Rules has, of things of the type
+/// Rules::Carried:
+///   number(thing): what tells it from the others;
+///   matters(face, distance, covered, thing): whether a face takes one that is at least so far from
+///     all its points, where no point of it is farther than `covered` from one that it has taken;
+///     false for any larger distance as well, and for any smaller `covered`;
+///   farthest(face, thing): no point of the face is farther from it;
+///   distance_to_edge(halfedge, thing), across(halfedge, thing): in the face of the halfedge, and
+///     as it is seen from the face beyond;
+///   accept(face, thing): what to do with it.
+template <class Rules>
+class FaceSpread {
+ public:
+  using Carried = typename Rules::Carried;
+
+  /// Both must outlive this.
+  FaceSpread(const TriangleMesh& mesh, Rules& rules)
+      : mesh_(mesh),
+        rules_(rules),
+        covered_(mesh.face_count(), std::numeric_limits<double>::infinity()),
+        last_(mesh.face_count(), -1) {}
+
+  void start(std::int32_t face, const Carried& thing) { send(0, face, {thing, -1}); }
+
+  /// Until nothing is on its way any more. No face that accepted something may be reached again.
+  /// Reports `phase`. Throws Cancelled.
+  void run(const char* phase, const Context& context) {
+    for (std::int64_t n = 0; !queue_.empty(); ++n) {
+      if (n % visits_between_polls == 0) {
+        context.check();
+        context.report({phase});
+      }
+      const Arrival arrival = queue_.top();
+      queue_.pop();
+      const Traveller traveller = pool_[arrival.slot];
+      free_.push_back(arrival.slot);
+      if (takes(arrival.face, arrival.distance, traveller.thing)) accept(arrival, traveller);
+    }
+    accepted_.clear();
+  }
+
+  /// Per face: no point of it is farther from a thing; ∞: none is there.
+  std::vector<double> take_covered() { return std::move(covered_); }
+
+ private:
+  static constexpr std::int64_t visits_between_polls = 1 << 14;
+
+  struct Traveller {
+    Carried thing;       ///< as seen from the face
+    std::int32_t entry;  ///< halfedge of the face it came in by; −1 at its own
+  };
+  struct Arrival {
+    double distance;  ///< at least this far from any point of the face
+    std::int32_t face;
+    std::int32_t slot;    ///< what arrives, in the pool
+    std::int64_t number;  ///< of arrivals, in the order in which they were sent
+  };
+  struct Later {
+    bool operator()(const Arrival& p, const Arrival& q) const {
+      return std::tie(p.distance, p.face, p.number) > std::tie(q.distance, q.face, q.number);
+    }
+  };
+  struct Accepted {
+    std::int32_t thing, previous;  ///< previous: the one accepted before on the same face
+  };
+
+  bool takes(std::int32_t face, double distance, const Carried& thing) const {
+    if (!rules_.matters(face, distance, covered_[face], thing)) return false;
+    const std::int32_t number = rules_.number(thing);
+    for (std::int32_t i = last_[face]; i >= 0; i = accepted_[i].previous) {
+      if (accepted_[i].thing == number) return false;
+    }
+    return true;
+  }
+
+  void send(double distance, std::int32_t face, const Traveller& traveller) {
+    auto slot = static_cast<std::int32_t>(pool_.size());
+    if (free_.empty()) {
+      pool_.push_back(traveller);
+    } else {
+      slot = free_.back();
+      free_.pop_back();
+      pool_[slot] = traveller;
+    }
+    queue_.push({distance, face, slot, sent_++});
+  }
+
+  void accept(const Arrival& arrival, const Traveller& traveller) {
+    const std::int32_t f = arrival.face;
+    accepted_.push_back({rules_.number(traveller.thing), last_[f]});
+    last_[f] = static_cast<std::int32_t>(accepted_.size()) - 1;
+    rules_.accept(f, traveller.thing);
+    covered_[f] = std::min(covered_[f], rules_.farthest(f, traveller.thing));
+    for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
+      if (h != traveller.entry && !mesh_.is_open(h)) pass_on(arrival.distance, traveller.thing, h);
+    }
+  }
+
+  void pass_on(double least, const Carried& thing, std::int32_t h) {
+    const std::int32_t o = mesh_.opposite(h), g = TriangleMesh::face_of(o);
+    if (!takes(g, least, thing)) return;
+    const double distance = std::max(least, rules_.distance_to_edge(h, thing));
+    if (!rules_.matters(g, distance, covered_[g], thing)) return;
+    send(distance, g, {rules_.across(h, thing), o});
+  }
+
+  const TriangleMesh& mesh_;
+  Rules& rules_;
+  std::vector<Traveller> pool_;     // of what is on its way
+  std::vector<std::int32_t> free_;  // slots of the pool
+  std::int64_t sent_ = 0;
+  std::vector<Accepted> accepted_;
+  std::vector<double> covered_;
+  std::vector<std::int32_t> last_;  // per face: index into accepted_
+  std::priority_queue<Arrival, std::vector<Arrival>, Later> queue_;
+};
+
+/// What faces accepted, in the order in which they did.
+template <class Thing>
+struct AcceptedByFaces {
+  std::vector<std::int32_t> faces;
+  std::vector<Thing> things;
+
+  void add(std::int32_t face, const Thing& thing) {
+    faces.push_back(face);
+    things.push_back(thing);
+  }
+
+  /// Sorts by face into `sorted`; those of one face stay in order. `first`: #F + 1 offsets.
+  void sort(std::size_t face_count, std::vector<std::int32_t>& first,
+            std::vector<Thing>& sorted) const {
+    first.assign(face_count + 1, 0);
+    for (const std::int32_t f : faces) ++first[f + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::int32_t> next(first.begin(), first.end() - 1);
+    sorted.resize(things.size());
+    for (std::size_t i = 0; i < things.size(); ++i) sorted[next[faces[i]]++] = things[i];
+  }
+};
+
+}  // namespace craze

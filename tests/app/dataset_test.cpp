@@ -1,0 +1,190 @@
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/command.h"
+
+namespace craze {
+namespace {
+
+constexpr const char* small_plan = R"(
+samples = 6
+shard_samples = 2
+clean = 0.3
+width = 48
+height = 40
+folders = "yes"
+[object]
+mesh = "shape:plate?n=14&jitter=0.3"
+[recipe]
+preset = "mud"
+layer.relative_spacing = {uniform = [0.2, 0.3]}
+[lines]
+width = {uniform = [1, 4]}
+[image]
+quality = {choice = [70, 100]}
+)";
+
+class Dataset : public CommandTest {
+ protected:
+  Dataset() { write("plan.toml", small_plan); }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(file(name)) << text;
+  }
+
+  /// All files of a set by their names.
+  std::map<std::string, std::string> bytes_of(const std::string& name) const {
+    std::map<std::string, std::string> bytes;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(file(name))) {
+      if (!entry.is_regular_file()) continue;
+      bytes[std::filesystem::relative(entry.path(), file(name)).string()] = read_text(entry.path());
+    }
+    return bytes;
+  }
+
+  void make(const std::string& name, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"dataset", "plan.toml", "-o", name};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const CommandResult result = run(arguments);
+    ASSERT_EQ(result.code, 0) << result.err;
+  }
+};
+
+TEST_F(Dataset, IsWholeAndSaysWhatItHolds) {
+  make("set");
+  const CommandResult verified = run({"dataset", "verify", "set"});
+  EXPECT_EQ(verified.code, 0) << verified.out;
+  const auto json = nlohmann::json::parse(read_text(file("set/dataset.json")));
+  EXPECT_EQ(json["samples"], 6);
+  EXPECT_GT(json["crack_share"].get<double>(), 0);
+  EXPECT_GT(json["median_width_pixels"].get<double>(), 1);
+  EXPECT_LT(json["median_width_pixels"].get<double>(), 4.5);
+  EXPECT_EQ(nlohmann::json::parse(read_text(file("set/coco.json")))["images"].size(), 6u);
+  EXPECT_EQ(nlohmann::json::parse(read_text(file("set/croissant.json")))["@type"], "sc:Dataset");
+  EXPECT_TRUE(std::filesystem::exists(file("set/images/000000005.png")));
+  EXPECT_TRUE(std::filesystem::exists(file("set/masks/000000005.png")));
+}
+
+TEST_F(Dataset, AnyShardsAndThreadsGiveTheSameBytes) {
+  make("one", {"--threads", "1"});
+  for (const char* shard : {"0/2", "1/2"}) make("two", {"--threads", "3", "--shard", shard});
+  EXPECT_EQ(bytes_of("one"), bytes_of("two"));
+}
+
+TEST_F(Dataset, KilledAtAnyMomentItGoesOnToTheSameBytes) {
+  make("whole");
+  int killed = 0;
+  for (int attempt = 0; attempt < 30; ++attempt) {
+    const std::string shard = std::to_string(attempt % 3) + "/3";
+    const pid_t process =
+        start({"dataset", "plan.toml", "-o", "cut", "--shard", shard, "--threads", "1"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(3 + 37 * attempt % 400));
+    kill(process, SIGKILL);
+    killed += finish(process).code == 128 + SIGKILL;
+  }
+  EXPECT_GT(killed, 5);
+  make("cut", {"--shard", "1/2"});
+  make("cut", {"--shard", "2/2"});
+  EXPECT_EQ(bytes_of("whole"), bytes_of("cut"));
+}
+
+TEST_F(Dataset, ATornShardIsMadeAgain) {
+  make("set");
+  const auto whole = bytes_of("set");
+  write("set/shards/000001.tar", whole.at("shards/000001.tar").substr(0, 5000));
+  EXPECT_EQ(run({"dataset", "verify", "set"}).code, 1);
+  make("set");
+  std::filesystem::remove(file("set/shards/000002.json"));
+  make("set");
+  EXPECT_EQ(bytes_of("set"), whole);
+}
+
+TEST_F(Dataset, OneChangedByteIsFound) {
+  make("set");
+  for (const char* name : {"set/shards/000001.tar", "set/shards/000000.coco.json"}) {
+    const std::string bytes = read_text(file(name));
+    std::string changed = bytes;
+    changed[bytes.size() / 2] ^= 1;
+    write(name, changed);
+    const CommandResult result = run({"dataset", "verify", "set"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_NE(result.out.find("not what its marker says"), std::string::npos) << result.out;
+    write(name, bytes);
+  }
+  EXPECT_EQ(run({"dataset", "verify", "set"}).code, 0);
+}
+
+TEST_F(Dataset, ASampleIsMadeAgainFromItsNumber) {
+  make("set");
+  const CommandResult same = run({"dataset", "sample", "set", "3", "-o", "three"});
+  EXPECT_EQ(same.code, 0) << same.out << same.err;
+  EXPECT_TRUE(std::filesystem::exists(file("three/000000003.mask.png")));
+  EXPECT_EQ(read_text(file("three/000000003.image.png")),
+            read_text(file("set/images/000000003.png")));
+  const CommandResult none = run({"dataset", "sample", "set", "6"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("no sample 6"), std::string::npos);
+}
+
+TEST_F(Dataset, MoreSamplesLeaveThoseThereWereAsTheyAre) {
+  make("six");
+  make("eight", {"--samples", "8"});
+  const auto six = bytes_of("six"), eight = bytes_of("eight");
+  EXPECT_EQ(six.at("images/000000005.png"), eight.at("images/000000005.png"));
+  EXPECT_TRUE(eight.count("images/000000007.png"));
+}
+
+TEST_F(Dataset, AContactSheetShowsTheSamples) {
+  make("set");
+  EXPECT_EQ(run({"dataset", "look", "set", "--size", "40", "--count", "4"}).code, 0);
+  EXPECT_EQ(read_text(file("set/look.png")).substr(1, 3), "PNG");
+}
+
+TEST_F(Dataset, APlanThatCannotYieldSaysSo) {
+  write("none.toml", std::string(small_plan) + "[label]\nmin_pixels = 100000\n");
+  const CommandResult result = run({"dataset", "none.toml", "-o", "none"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_NE(result.err.find("the plan yields no crack that is seen"), std::string::npos)
+      << result.err;
+  EXPECT_EQ(result.err.find('\n'), result.err.size() - 1);
+}
+
+TEST_F(Dataset, HostilePlansAreRefusedInOneLine) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"samples = 0", "samples"},
+      {"widht = 3", "did you mean width"},
+      {"[lines]\nwidth = {uniform = [0, 3]}", "lines.width"},
+      {"[object]\nmesh = 3", "must be text"},
+      {"[surface]\nmaterial = \"gold\"", "choose one of"},
+      {"[recipe]\npreset = \"marble\"", "marble"},
+  };
+  for (const auto& [text, words] : cases) {
+    write("bad.toml", text);
+    const CommandResult result = run({"dataset", "bad.toml", "-o", "bad"});
+    EXPECT_EQ(result.code, 2) << text;
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(file("bad")));
+  }
+  write("none.toml", "samples = 1\n[object]\nmesh = \"none.obj\"\n");
+  const CommandResult none = run({"dataset", "none.toml", "-o", "none"});
+  EXPECT_EQ(none.code, 1);
+  EXPECT_NE(none.err.find("none.obj"), std::string::npos) << none.err;
+}
+
+TEST_F(Dataset, ADiskThatIsFullLeavesNothingHalf) {
+  make("whole");
+  const std::string call = "cd '" + file("").string() +
+                           "' && ulimit -f 20 && '" CRAZE_COMMAND
+                           "' dataset plan.toml -o full --quiet 2>full.err";
+  EXPECT_NE(std::system(call.c_str()), 0);
+  EXPECT_NE(read_text(file("full.err")).find("cannot write"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(file("full/shards/000000.json")));
+  make("full");
+  EXPECT_EQ(bytes_of("full"), bytes_of("whole"));
+}
+
+}  // namespace
+}  // namespace craze

@@ -1,0 +1,31 @@
+#include "craze/io/bytes/sha256.h"
+
+#include <gtest/gtest.h>
+
+namespace craze {
+namespace {
+
+// FIPS 180-4's own examples.
+TEST(Sha256, HashesTheStandardsExamples) {
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(sha256(std::string(1000000, 'a')),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Sha256, DoesNotDependOnHowTheBytesCome) {
+  std::string text;
+  for (int i = 0; i < 300; ++i) text += static_cast<char>(7 * i);
+  for (const std::size_t step : {1u, 3u, 63u, 64u, 65u, 299u}) {
+    Sha256 hash;
+    for (std::size_t at = 0; at < text.size(); at += step) {
+      hash.add(std::string_view(text).substr(at, step));
+    }
+    EXPECT_EQ(hash.hex(), sha256(text)) << step;
+  }
+}
+
+}  // namespace
+}  // namespace craze

@@ -1,0 +1,90 @@
+// The engine as the page uses it. Each run has a worker of its own: one that is cancelled is ended,
+// and the last result stays in the worker that made it until the next one is there.
+import wasmUrl from "./generated/craze.wasm?url";
+import type { CrackRequest, Input, InputMesh, Moment, OutputFile, Picture } from "./messages";
+import type { Post, Progress, Summary } from "./messages";
+import { Cancelled, WorkerClient } from "./worker_client";
+
+async function compile(): Promise<WebAssembly.Module> {
+  const response = await fetch(wasmUrl);
+  if (!response.ok) throw new Error(`cannot load the engine (${response.status})`);
+  // Not compileStreaming(): a plain file server may not know the type of .wasm.
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+export class Engine {
+  onProgress: (progress: Progress) => void = () => {};
+  private readonly code = compile();
+  private spare = new WorkerClient(this.code);
+  private running: WorkerClient | null = null;
+  private result: WorkerClient | null = null;
+
+  /** The surface of an input. Throws CrazeError. */
+  look(input: Input): Promise<InputMesh> {
+    return this.alone((worker) => worker.ask("look", { input }));
+  }
+
+  /** Cracks it, ending a run that is under way. Throws CrazeError, and Cancelled. */
+  async crack(request: CrackRequest): Promise<Summary> {
+    this.cancel();
+    const worker = this.take();
+    this.running = worker;
+    try {
+      const summary = await worker.ask("crack", request);
+      if (this.running !== worker) throw new Cancelled();
+      this.result?.end();
+      this.result = worker;
+      worker.onProgress = () => {}; // what is made of a result is quick
+      return summary;
+    } catch (error) {
+      worker.end();
+      throw error;
+    } finally {
+      if (this.running === worker) this.running = null;
+    }
+  }
+
+  cancel(): void {
+    this.running?.end();
+    this.running = null;
+  }
+
+  /** What comes of the last run. Nothing is cracked again. */
+  open(post: Post): Promise<Picture> {
+    return this.last().ask("open", post);
+  }
+
+  /** At a time of the growth, 0 … 1, of what was opened last. */
+  moment(time: number): Promise<Moment> {
+    return this.last().ask("moment", { time });
+  }
+
+  write(name: string, post: Post): Promise<OutputFile[]> {
+    return this.last().ask("write", { name, post });
+  }
+
+  paintedInput(request: CrackRequest, name: string): Promise<OutputFile[]> {
+    return this.alone((worker) => worker.ask("paintedInput", { ...request, name }));
+  }
+
+  private last(): WorkerClient {
+    if (!this.result) throw new Error("nothing is cracked yet");
+    return this.result;
+  }
+
+  private take(): WorkerClient {
+    const worker = this.spare;
+    worker.onProgress = (progress) => this.onProgress(progress);
+    this.spare = new WorkerClient(this.code);
+    return worker;
+  }
+
+  private async alone<T>(work: (worker: WorkerClient) => Promise<T>): Promise<T> {
+    const worker = this.take();
+    try {
+      return await work(worker);
+    } finally {
+      worker.end();
+    }
+  }
+}

@@ -1,0 +1,4 @@
+declare module "*/generated/craze.mjs" {
+  const createCraze: unknown;
+  export default createCraze;
+}

@@ -1,0 +1,96 @@
+// What the page and its workers say to each other.
+
+/** What is cracked: a built-in shape, as `cup?n=96`, or a file's bytes with its name. */
+export type Input =
+  | { kind: "shape"; specification: string }
+  | { kind: "file"; name: string; bytes: Uint8Array };
+
+/** Values painted on the input's vertices, one each, under the name that the recipe gives them. */
+export interface PaintedAttribute {
+  name: string;
+  values: Float32Array;
+}
+
+/** A preset and the keys that differ from it, as --set takes them, in their order. */
+export interface RecipeRequest {
+  preset: string;
+  set: [key: string, value: string][];
+}
+
+export interface CrackRequest {
+  input: Input;
+  painted: PaintedAttribute[];
+  recipe: RecipeRequest;
+}
+
+/** [post] of a recipe: γ of [IO06 Eq. 9], depth of the walls in the mesh's unit, lift of the edges. */
+export interface Post {
+  gap: number;
+  wall: number;
+  curl: number;
+}
+
+/** The surface that was given, for looking at and painting on. */
+export interface InputMesh {
+  positions: Float32Array; // three per vertex
+  triangles: Uint32Array; // three per triangle
+  normals: Float32Array; // three per corner, unit
+  warnings: string[];
+}
+
+/** What is drawn of an opened surface; all is per corner, three corners a triangle. */
+export interface Picture {
+  positions: Float32Array;
+  normals: Float32Array;
+  fragments: Int32Array; // one per triangle
+  walls: Uint8Array; // one per triangle: 1 where it is a crack's wall
+  lines: Float32Array; // six per piece of a crack: from, to
+  lineGrowth: Float32Array; // two per piece: when the growth comes by, 0 … 1
+  warnings: string[];
+}
+
+/** The places of a Picture's corners and lines at a time of its growth. */
+export interface Moment {
+  positions: Float32Array;
+  lines: Float32Array;
+}
+
+export interface Summary {
+  cracks: number;
+  fragments: number;
+  length: number;
+  triangles: number;
+  seconds: number;
+  warnings: string[];
+}
+
+export interface Progress {
+  phase: string;
+  fraction: number | null;
+  cracks: number;
+  load: number;
+}
+
+export interface OutputFile {
+  name: string;
+  bytes: Uint8Array;
+}
+
+export interface Requests {
+  start: { request: { code: WebAssembly.Module }; reply: null };
+  look: { request: { input: Input }; reply: InputMesh };
+  crack: { request: CrackRequest; reply: Summary };
+  open: { request: Post; reply: Picture };
+  moment: { request: { time: number }; reply: Moment };
+  write: { request: { name: string; post: Post }; reply: OutputFile[] };
+  paintedInput: { request: CrackRequest & { name: string }; reply: OutputFile[] };
+}
+
+export type Kind = keyof Requests;
+
+export type ToWorker = { [K in Kind]: { id: number; kind: K; request: Requests[K]["request"] } }[Kind];
+
+export type FromWorker =
+  | { id: number; reply: Requests[Kind]["reply"] }
+  | { id: number; error: { status: number; message: string } }
+  | { progress: Progress };

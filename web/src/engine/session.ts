@@ -1,0 +1,224 @@
+// One run of the engine in one instance: an input, its cracks, and what is made of them. The
+// instance is thrown away with the worker that holds it, so nothing is freed that lives as long.
+import { cornerNormals } from "./corner_normals";
+import { crackEdges } from "./crack_edges";
+import type { CrazeModule } from "./craze_module";
+import { Memory } from "./memory";
+import type * as m from "./messages";
+
+const folder = "/studio";
+
+export class Session {
+  private readonly memory: Memory;
+  private readonly callback: number;
+  private mesh = 0;
+  private job = 0;
+  private opening = 0;
+  private opened: { post: m.Post; triangles: Int32Array; edges: Uint32Array } | null = null;
+
+  constructor(
+    private readonly craze: CrazeModule,
+    report: (progress: m.Progress) => void,
+  ) {
+    this.memory = new Memory(craze);
+    craze.FS.mkdir(folder);
+    const tell = (_: number, phase: number, fraction: number, cracks: bigint, load: number) => {
+      report({
+        phase: this.memory.text(phase),
+        fraction: fraction < 0 ? null : fraction,
+        cracks: Number(cracks),
+        load,
+      });
+      return 0;
+    };
+    this.callback = craze.addFunction(tell, "iiidjd");
+  }
+
+  look(input: m.Input): m.InputMesh {
+    this.read(input);
+    const positions = this.memory.meshArray(this.mesh, "vertices").values;
+    const triangles = this.triangles(this.mesh);
+    return {
+      positions: Float32Array.from(positions),
+      triangles: Uint32Array.from(triangles),
+      normals: this.normals(this.mesh, positions, triangles),
+      warnings: this.memory.list((i) => this.craze._craze_mesh_warning(this.mesh, i)),
+    };
+  }
+
+  crack(request: m.CrackRequest): m.Summary {
+    const { craze, memory } = this;
+    this.read(request.input);
+    this.paint(request.painted);
+    this.job = craze._craze_job_new();
+    memory.check((e) => craze._craze_job_set_threads(this.job, 1, e));
+    memory.check((e) => craze._craze_job_set_mesh(this.job, this.mesh, e));
+    memory.withText(request.recipe.preset, (preset) =>
+      memory.check((e) => craze._craze_job_set_preset(this.job, preset, e)),
+    );
+    for (const [key, value] of request.recipe.set) {
+      memory.withText(key, (k) =>
+        memory.withText(value, (v) =>
+          memory.check((e) => craze._craze_job_set(this.job, k, v, e)),
+        ),
+      );
+    }
+    craze._craze_job_set_progress(this.job, this.callback, 0);
+    memory.check((e) => craze._craze_job_run(this.job, e));
+    return this.summary();
+  }
+
+  open(post: m.Post): m.Picture {
+    const { memory } = this;
+    const opening = this.makeOpening(post);
+    const mesh = memory.made((e) => this.craze._craze_opening_mesh(opening, e));
+    try {
+      const triangles = this.triangles(mesh);
+      const positions = memory.meshArray(mesh, "vertices").values;
+      const source = memory.meshArray(mesh, "face:source_face").values;
+      const walls = Uint8Array.from(source, (face) => (face < 0 ? 1 : 0));
+      const growth = memory.meshArray(mesh, "vertex:crack_growth").values;
+      const distance = memory.meshArray(mesh, "vertex:crack_distance").values;
+      const edges = crackEdges(triangles, distance, walls);
+      this.opened = { post, triangles, edges };
+      return {
+        ...this.places(positions),
+        normals: this.normals(mesh, positions, triangles),
+        fragments: Int32Array.from(memory.meshArray(mesh, "face:fragment").values),
+        walls,
+        lineGrowth: Float32Array.from(edges, (vertex) => growth[vertex]!),
+        warnings: memory.list((i) => this.craze._craze_opening_warning(opening, i)),
+      };
+    } finally {
+      this.craze._craze_mesh_free(mesh);
+    }
+  }
+
+  moment(time: number): m.Moment {
+    const count = 3 * Number(this.craze._craze_opening_vertex_count(this.opening));
+    return this.memory.withNumbers(count, null, (at) => {
+      this.memory.check((e) =>
+        this.craze._craze_opening_positions_at(this.opening, time, at, e),
+      );
+      return this.places(this.memory.numbers(at, count));
+    });
+  }
+
+  /** The opened mesh in the format of the name's extension, and what is written beside it. */
+  write(name: string, post: m.Post): m.OutputFile[] {
+    const { craze, memory } = this;
+    const opening = memory.made((e) =>
+      craze._craze_job_open(this.job, post.gap, post.wall, post.curl, e),
+    );
+    try {
+      const mesh = memory.made((e) => craze._craze_opening_mesh(opening, e));
+      try {
+        return this.writeMesh(mesh, name);
+      } finally {
+        craze._craze_mesh_free(mesh);
+      }
+    } finally {
+      craze._craze_opening_free(opening);
+    }
+  }
+
+  /** The input with what was painted on it, for the command. */
+  paintedInput(request: m.CrackRequest, name: string): m.OutputFile[] {
+    this.read(request.input);
+    this.paint(request.painted);
+    return this.writeMesh(this.mesh, name);
+  }
+
+  private read(input: m.Input): void {
+    const { craze, memory } = this;
+    craze._craze_mesh_free(this.mesh);
+    this.mesh = 0;
+    if (input.kind === "shape") {
+      this.mesh = memory.withText(input.specification, (text) =>
+        memory.made((e) => craze._craze_mesh_shape(text, e)),
+      );
+      return;
+    }
+    const path = `${folder}/${input.name}`;
+    craze.FS.writeFile(path, input.bytes);
+    try {
+      this.mesh = memory.withText(path, (text) =>
+        memory.made((e) => craze._craze_mesh_read(text, this.callback, 0, e)),
+      );
+    } finally {
+      craze.FS.unlink(path);
+    }
+  }
+
+  private paint(painted: m.PaintedAttribute[]): void {
+    for (const { name, values } of painted) {
+      this.memory.withText(`vertex:${name}`, (text) =>
+        this.memory.withNumbers(values.length, values, (at) =>
+          this.memory.check((e) =>
+            this.craze._craze_mesh_set(this.mesh, text, at, BigInt(values.length), 1, e),
+          ),
+        ),
+      );
+    }
+  }
+
+  private makeOpening(post: m.Post): number {
+    this.craze._craze_opening_free(this.opening);
+    this.opening = 0;
+    this.opening = this.memory.made((e) =>
+      this.craze._craze_job_open(this.job, post.gap, post.wall, post.curl, e),
+    );
+    return this.opening;
+  }
+
+  private triangles(mesh: number): Int32Array {
+    return this.memory.meshArray(mesh, "faces").values as Int32Array;
+  }
+
+  private normals(mesh: number, positions: ArrayLike<number>, triangles: Int32Array) {
+    const names = this.memory.list((i) => this.craze._craze_mesh_array_name(mesh, i));
+    if (!names.includes("normals")) return cornerNormals(positions, triangles);
+    return Float32Array.from(this.memory.meshArray(mesh, "normals").values);
+  }
+
+  private places(positions: ArrayLike<number>): m.Moment {
+    const { triangles, edges } = this.opened!;
+    return { positions: placesOf(positions, triangles), lines: placesOf(positions, edges) };
+  }
+
+  private summary(): m.Summary {
+    const text = this.memory.made((e) => this.craze._craze_job_summary(this.job, e));
+    const report = JSON.parse(this.memory.text(text));
+    this.craze._craze_text_free(text);
+    return {
+      cracks: report.cracks.events,
+      fragments: report.cracks.fragments,
+      length: report.cracks.length,
+      triangles: report.input.triangles,
+      seconds: report.time.total,
+      warnings: report.warnings,
+    };
+  }
+
+  private writeMesh(mesh: number, name: string): m.OutputFile[] {
+    const { craze, memory } = this;
+    memory.withText(`${folder}/${name}`, (path) =>
+      memory.check((e) => craze._craze_mesh_write(mesh, path, this.callback, 0, e)),
+    );
+    const names = craze.FS.readdir(folder).filter((found) => found !== "." && found !== "..");
+    return names.map((found) => {
+      const bytes = craze.FS.readFile(`${folder}/${found}`);
+      craze.FS.unlink(`${folder}/${found}`);
+      return { name: found, bytes };
+    });
+  }
+}
+
+/** The three coordinates of each vertex in the list, one after the other. */
+function placesOf(positions: ArrayLike<number>, vertices: ArrayLike<number>): Float32Array {
+  const places = new Float32Array(3 * vertices.length);
+  for (let i = 0; i < vertices.length; ++i) {
+    for (let k = 0; k < 3; ++k) places[3 * i + k] = positions[3 * vertices[i]! + k]!;
+  }
+  return places;
+}

@@ -1,0 +1,62 @@
+// What the page holds: all of it, and nothing that can be made of it again. Immutable; a change is
+// a new one that shares the rest.
+
+export type Source = { kind: "shape"; specification: string } | { kind: "file"; name: string };
+
+export const layerNames = ["stress", "strength", "spacing", "mask"] as const;
+export type LayerName = (typeof layerNames)[number];
+
+/** A stroke of the brush. Its numbers are whole, so that they come back from an address as they
+ * were: places in 1/65535 of the box of the input, radius in the same of its diagonal, strength in
+ * 1/100; normals are of length 127. */
+export interface Stroke {
+  layer: LayerName;
+  radius: number;
+  strength: number;
+  erase: boolean;
+  mirror: boolean; // in x too, about the middle of the box
+  dabs: number[]; // x y z and the normal's x y z, six a dab
+}
+
+export interface Project {
+  source: Source;
+  preset: string;
+  seed: number;
+  spacing: number | null; // layer.spacing in the mesh's unit; null: the preset's
+  load: number | null; // evolution.max_load; null: the preset's
+  gap: number;
+  wall: number;
+  curl: number;
+  strokes: readonly Stroke[];
+  impacts: readonly (readonly [number, number, number])[];
+}
+
+export const firstProject: Project = {
+  source: { kind: "shape", specification: "cup?n=96" },
+  preset: "glaze",
+  seed: 1,
+  spacing: 0.14,
+  load: null,
+  gap: 0,
+  wall: 0,
+  curl: 0,
+  strokes: [],
+  impacts: [],
+};
+
+/** Whether the second cracks otherwise than the first; gap, wall and curl do not. */
+export function cracksOtherwise(a: Project, b: Project): boolean {
+  return (
+    a.source !== b.source ||
+    a.preset !== b.preset ||
+    a.seed !== b.seed ||
+    a.spacing !== b.spacing ||
+    a.load !== b.load ||
+    a.strokes !== b.strokes ||
+    a.impacts !== b.impacts
+  );
+}
+
+export function opensOtherwise(a: Project, b: Project): boolean {
+  return a.gap !== b.gap || a.wall !== b.wall || a.curl !== b.curl;
+}

@@ -1,0 +1,91 @@
+// A surface with corners of its own per triangle, and its colours.
+import * as three from "three";
+
+const looks: Record<string, { color: number; roughness: number }> = {
+  glaze: { color: 0xb9cbbb, roughness: 0.3 },
+  mud: { color: 0x9a7b5c, roughness: 0.95 },
+  glass: { color: 0xcfe4e6, roughness: 0.08 },
+  plaster: { color: 0xd8d2c8, roughness: 0.9 },
+  clay: { color: 0xb9795a, roughness: 0.8 },
+  paint: { color: 0xb04a3a, roughness: 0.45 },
+};
+
+/** A colour per number, far from those of the numbers beside it. */
+function colorOf(number: number): three.Color {
+  return new three.Color().setHSL((number * 0.618034) % 1, 0.45, 0.62);
+}
+
+export class Surface {
+  readonly object: three.Mesh<three.BufferGeometry, three.MeshStandardMaterial>;
+  private look = "clay";
+  private fragments: Int32Array | null = null;
+  private walls: Uint8Array | null = null;
+  private colored = false;
+
+  constructor() {
+    const material = new three.MeshStandardMaterial({ vertexColors: true, side: three.DoubleSide });
+    this.object = new three.Mesh(new three.BufferGeometry(), material);
+  }
+
+  /** Three numbers per corner each; per triangle its fragment, and whether it is a wall. */
+  set(
+    positions: Float32Array,
+    normals: Float32Array,
+    fragments: Int32Array | null,
+    walls: Uint8Array | null,
+  ): void {
+    this.fragments = fragments;
+    this.walls = walls;
+    this.object.geometry.dispose();
+    this.object.geometry = new three.BufferGeometry();
+    this.object.geometry.setAttribute("normal", new three.BufferAttribute(normals, 3));
+    const colors = new Float32Array(positions.length);
+    this.object.geometry.setAttribute("color", new three.BufferAttribute(colors, 3));
+    this.move(positions);
+    this.paintAll();
+  }
+
+  move(positions: Float32Array): void {
+    this.object.geometry.setAttribute("position", new three.BufferAttribute(positions, 3));
+    this.object.geometry.computeBoundingSphere();
+  }
+
+  /** How the surface looks, by the names of picture.material. */
+  setLook(name: string): void {
+    this.look = name in looks ? name : "clay";
+    const { roughness } = looks[this.look]!;
+    this.object.material.roughness = roughness;
+    this.paintAll();
+  }
+
+  showFragments(colored: boolean): void {
+    this.colored = colored;
+    this.paintAll();
+  }
+
+  /** Mixes a colour in: `paint` is one per vertex, 0 … 1. */
+  overlay(paint: Float32Array | null, triangles: Uint32Array, color: number): void {
+    this.paintAll();
+    const colors = this.object.geometry.getAttribute("color");
+    if (!paint || !colors) return;
+    const [base, mixed] = [new three.Color(looks[this.look]!.color), new three.Color()];
+    const top = new three.Color(color);
+    triangles.forEach((vertex, corner) => {
+      mixed.lerpColors(base, top, 0.85 * paint[vertex]!);
+      colors.setXYZ(corner, mixed.r, mixed.g, mixed.b);
+    });
+  }
+
+  private paintAll(): void {
+    const colors = this.object.geometry.getAttribute("color");
+    if (!colors) return;
+    const base = new three.Color(looks[this.look]!.color);
+    const wall = base.clone().multiplyScalar(0.25);
+    for (let f = 0; f < colors.count / 3; ++f) {
+      const own = this.colored && this.fragments ? colorOf(this.fragments[f]!) : base;
+      const color = this.walls?.[f] ? wall : own;
+      for (let k = 0; k < 3; ++k) colors.setXYZ(3 * f + k, color.r, color.g, color.b);
+    }
+    colors.needsUpdate = true;
+  }
+}

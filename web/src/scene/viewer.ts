@@ -1,0 +1,103 @@
+// The view: camera, light, and when to draw. Nothing is drawn while nothing changes.
+import * as three from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+
+const turn = Math.PI / 24; // of an arrow key
+
+export class Viewer {
+  readonly scene = new three.Scene();
+  readonly camera = new three.PerspectiveCamera(30, 1, 0.01, 100);
+  readonly controls: OrbitControls;
+  private readonly renderer: three.WebGLRenderer;
+  private asked = false;
+  private readonly middle = new three.Vector3();
+  private radius = 1;
+
+  /** Throws Error where there is no WebGL. */
+  constructor(readonly canvas: HTMLCanvasElement) {
+    this.renderer = new three.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.toneMapping = three.ACESFilmicToneMapping;
+    this.camera.up.set(0, 0, 1);
+    this.scene.add(new three.HemisphereLight(0xffffff, 0x8d8478, 1.6));
+    const sun = new three.DirectionalLight(0xffffff, 0.9);
+    sun.position.set(-2, -3, 4);
+    this.scene.add(sun);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener("change", () => this.draw());
+    canvas.addEventListener("keydown", (event) => this.key(event));
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+  }
+
+  /** Draws once, in the next frame. */
+  draw(): void {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+
+  /** Which axis points up. */
+  setUp(axis: "y" | "z"): void {
+    this.camera.up.set(0, axis === "y" ? 1 : 0, axis === "z" ? 1 : 0);
+    this.controls.dispose();
+    Object.assign(this, { controls: new OrbitControls(this.camera, this.canvas) });
+    this.controls.addEventListener("change", () => this.draw());
+  }
+
+  /** Looks at all of a box. */
+  frame(low: readonly number[], size: readonly number[]): void {
+    this.middle.set(low[0]! + size[0]! / 2, low[1]! + size[1]! / 2, low[2]! + size[2]! / 2);
+    this.radius = Math.hypot(...size) / 2 || 1;
+    this.reframe();
+  }
+
+  private reframe(): void {
+    const across = Math.min(this.camera.aspect, 1);
+    const distance = this.radius / Math.sin((this.camera.fov * Math.PI) / 360) / across;
+    const z = this.camera.up.z === 1;
+    const direction = z ? new three.Vector3(0.45, -1, 0.62) : new three.Vector3(0.45, 0.62, 1);
+    this.camera.position.copy(this.middle).addScaledVector(direction.normalize(), distance);
+    this.camera.near = distance / 100;
+    this.camera.far = distance * 10;
+    this.camera.updateProjectionMatrix();
+    this.controls.target.copy(this.middle);
+    this.controls.update();
+    this.draw();
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement!;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / Math.max(height, 1);
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const around = new three.Spherical();
+    const turned = new three.Quaternion().setFromUnitVectors(
+      this.camera.up,
+      new three.Vector3(0, 1, 0),
+    );
+    const offset = this.camera.position.clone().sub(this.controls.target).applyQuaternion(turned);
+    around.setFromVector3(offset);
+    if (event.key === "ArrowLeft") around.theta -= turn;
+    else if (event.key === "ArrowRight") around.theta += turn;
+    else if (event.key === "ArrowUp") around.phi -= turn;
+    else if (event.key === "ArrowDown") around.phi += turn;
+    else if (event.key === "+") around.radius /= 1.15;
+    else if (event.key === "-") around.radius *= 1.15;
+    else if (event.key === "f") return this.reframe();
+    else return;
+    event.preventDefault();
+    around.makeSafe();
+    offset.setFromSpherical(around).applyQuaternion(turned.invert());
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+    this.draw();
+  }
+}

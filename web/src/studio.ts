@@ -1,0 +1,291 @@
+// The page at work: a change of the project becomes a run, an opening or nothing of the kind.
+import { Engine } from "./engine/engine";
+import { CrazeError } from "./engine/memory";
+import type { CrackRequest, Input, Post } from "./engine/messages";
+import { Cancelled } from "./engine/worker_client";
+import { canvasOf, type Canvas } from "./paint/brush";
+import { BrushTool } from "./paint/brush_tool";
+import { layers } from "./paint/layers";
+import { Painting } from "./paint/painting";
+import { saveFile, saveProject } from "./project/autosave";
+import { projectOf, toHash } from "./project/link";
+import { cracksOtherwise, opensOtherwise, type LayerName, type Project } from "./project/project";
+import type { Stroke } from "./project/project";
+import { changedKeys, commandLine, paintedLayers } from "./project/recipe";
+import { Store } from "./project/store";
+import { presetTable } from "./project/tables";
+import { Growth } from "./scene/growth";
+import { Stage } from "./scene/stage";
+import { acceptDrops, chooseFile, download } from "./ui/hand_over";
+import { Panel, type Paint } from "./ui/panel";
+
+const accepted = ".obj,.ply,.stl,.off,.glb,.craze";
+const paintColors: Record<LayerName, number> = {
+  stress: 0xd0342c,
+  strength: 0x2c6fd0,
+  spacing: 0x2ca05a,
+  mask: 0x8a4fd0,
+};
+
+interface OpenFile {
+  name: string;
+  bytes: Uint8Array;
+}
+
+export class Studio {
+  private readonly engine = new Engine();
+  private readonly store: Store;
+  private readonly stage: Stage;
+  private readonly panel: Panel;
+  private readonly growth: Growth;
+  private readonly brush: BrushTool;
+  private surface: { canvas: Canvas; triangles: Uint32Array; painting: Painting } | null = null;
+  private layer: LayerName | null = null;
+  private cracked = false; // whether there is a result to open
+
+  constructor(
+    view: HTMLElement,
+    project: Project,
+    private file: OpenFile | null,
+  ) {
+    this.store = new Store(project);
+    this.stage = new Stage(view.querySelector("canvas")!);
+    this.growth = new Growth(this.engine, this.stage, (time) => this.panel.growth.show(time));
+    this.panel = new Panel({
+      open: () => chooseFile(accepted, (file) => void this.take(file)),
+      crack: () => void this.crack(),
+      cancel: () => this.engine.cancel(),
+      undo: () => this.store.undo(),
+      redo: () => this.store.redo(),
+      exportFile: (format) => void this.attempt(() => this.exportFile(format)),
+      copyCommand: () => void this.copy(this.command("cracked.ply"), "The command is copied."),
+      copyLink: () => void this.attempt(() => this.copyLink()),
+      newSeed: () => this.store.change({ seed: this.store.project.seed + 1 }),
+      saveProject: () => this.saveProjectFile(),
+      play: () => void this.growth.play(),
+      change: (change) => this.store.change(change),
+      growth: (time) => void this.growth.show(time),
+      paint: (paint) => this.choosePaint(paint),
+      fragments: (shown) => this.stage.showFragments(shown),
+    });
+    view.after(this.panel.root);
+    this.brush = new BrushTool(this.stage.viewer, {
+      settings: () => ({
+        size: this.panel.brushSize.value,
+        strength: this.panel.brushStrength.value,
+        erase: this.panel.erase.input.checked,
+        mirror: this.panel.mirror.input.checked,
+      }),
+      preview: (stroke) => this.previewStroke(stroke),
+      finish: (stroke) => this.store.change({ strokes: [...this.store.project.strokes, stroke] }),
+      impact: (point) =>
+        this.store.change({ impacts: [...this.store.project.impacts, point] }),
+    });
+    acceptDrops(document.body, (file) => void this.take(file));
+    document.addEventListener("keydown", (event) => this.key(event));
+    this.engine.onProgress = ({ phase, fraction, cracks }) =>
+      this.panel.tell(cracks > 0 ? `${phase}: ${cracks} cracks` : phase, fraction);
+    this.store.onChange((now, before) => void this.follow(now, before));
+  }
+
+  /** `problem`: a sentence about what could not be taken up, or "". */
+  async start(problem: string): Promise<void> {
+    await this.showInput();
+    await this.crack();
+    if (problem) this.panel.complain(problem);
+  }
+
+  private async follow(now: Project, before: Project): Promise<void> {
+    this.save();
+    if (now.source !== before.source) await this.showInput();
+    this.refresh();
+    if (cracksOtherwise(now, before)) await this.crack();
+    else if (opensOtherwise(now, before)) await this.attempt(() => this.open(1));
+  }
+
+  private refresh(): void {
+    const { project, canUndo, canRedo } = this.store;
+    this.panel.show(project, this.surface?.canvas.diagonal ?? 1, canUndo, canRedo);
+    this.stage.setLook(presetTable[project.preset]!.recipe.picture.material);
+    this.surface?.painting.follow(project.strokes);
+    this.showPaint();
+  }
+
+  private async showInput(): Promise<void> {
+    await this.attempt(async () => {
+      this.panel.tell("load", null);
+      const mesh = await this.engine.look(this.input());
+      const canvas = canvasOf(mesh.positions, mesh.triangles);
+      const { triangles } = mesh;
+      this.surface = { canvas, triangles, painting: new Painting(canvas) };
+      this.stage.viewer.setUp(
+        this.store.project.source.kind === "shape" || canvas.size[2] === 0 ? "z" : "y",
+      );
+      this.stage.setInput(mesh, canvas.low, canvas.size);
+      this.brush.setSurface(canvas, triangles);
+      this.cracked = false;
+      this.refresh();
+      this.panel.tell(mesh.warnings.join(" "));
+    });
+  }
+
+  private async crack(): Promise<void> {
+    await this.attempt(async () => {
+      const began = performance.now();
+      this.panel.tell("start", null);
+      const summary = await this.engine.crack(this.request());
+      this.cracked = true;
+      const seconds = ((performance.now() - began) / 1000).toFixed(2);
+      await this.open(0);
+      const warnings = summary.warnings.length > 0 ? ` ${summary.warnings.join(" ")}` : "";
+      this.panel.tell(
+        `${summary.cracks} cracks, ${summary.fragments} fragments in ${seconds} s.${warnings}`,
+      );
+      void this.growth.play();
+    });
+  }
+
+  /** Opens the last result and shows it at a time of its growth. */
+  private async open(time: number): Promise<void> {
+    if (!this.cracked) return;
+    const picture = await this.engine.open(this.post());
+    this.stage.setPicture(picture);
+    if (picture.warnings.length > 0) this.panel.tell(picture.warnings.join(" "));
+    this.growth.setOpened(this.store.project.gap !== 0 || this.store.project.curl !== 0);
+    await this.growth.show(time);
+  }
+
+  private input(): Input {
+    const { source } = this.store.project;
+    if (source.kind === "shape") return source;
+    if (this.file?.name !== source.name) throw new Error(`Open ${source.name} again to go on.`);
+    return { kind: "file", ...this.file };
+  }
+
+  private request(): CrackRequest {
+    const { project } = this.store;
+    const painting = this.surface?.painting;
+    painting?.follow(project.strokes);
+    const painted = paintedLayers(project).map((name) => ({
+      name: layers[name].attribute,
+      values: Float32Array.from(painting!.values(name), layers[name].value),
+    }));
+    const recipe = { preset: project.preset, set: changedKeys(project) };
+    return { input: this.input(), painted, recipe };
+  }
+
+  private post(): Post {
+    const { gap, wall, curl } = this.store.project;
+    return { gap, wall, curl };
+  }
+
+  private choosePaint(paint: Paint): void {
+    this.layer = paint === "None" || paint === "Impact" ? null : (paint.toLowerCase() as LayerName);
+    this.brush.tool = paint === "Impact" ? "impact" : this.layer;
+    this.showPaint();
+  }
+
+  private showPaint(): void {
+    const values = this.layer ? (this.surface?.painting.values(this.layer) ?? null) : null;
+    this.stage.showPaint(values, this.layer ? paintColors[this.layer] : 0);
+  }
+
+  private previewStroke(stroke: Stroke): void {
+    this.surface?.painting.follow([...this.store.project.strokes, stroke]);
+    this.showPaint();
+  }
+
+  private async take(file: File): Promise<void> {
+    await this.attempt(async () => {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      if (file.name.endsWith(".craze")) return this.takeProject(new TextDecoder().decode(bytes));
+      await this.engine.look({ kind: "file", name: file.name, bytes }); // or what is wrong with it
+      this.file = { name: file.name, bytes };
+      await saveFile(bytes);
+      this.store.change({
+        source: { kind: "file", name: file.name },
+        spacing: null,
+        strokes: [],
+        impacts: [],
+      });
+    });
+  }
+
+  private takeProject(text: string): void {
+    const { file, ...rest } = JSON.parse(text);
+    const project = projectOf(rest);
+    if (project.source.kind === "file" && typeof file === "string") {
+      const bytes = Uint8Array.from(atob(file), (letter) => letter.charCodeAt(0));
+      this.file = { name: project.source.name, bytes };
+      void saveFile(bytes);
+    }
+    this.store.change(project);
+  }
+
+  private saveProjectFile(): void {
+    let file: string | undefined;
+    if (this.store.project.source.kind === "file" && this.file) {
+      file = "";
+      for (const byte of this.file.bytes) file += String.fromCharCode(byte);
+      file = btoa(file);
+    }
+    download("project.craze", JSON.stringify({ ...this.store.project, file }));
+  }
+
+  private async exportFile(format: string): Promise<void> {
+    this.panel.tell("write", null);
+    const files =
+      format === "painted.ply"
+        ? await this.engine.paintedInput(this.request(), "painted.ply")
+        : await this.engine.write(`cracked.${format}`, this.post());
+    for (const { name, bytes } of files) download(name, bytes);
+    this.panel.tell(`${files.map(({ name }) => name).join(", ")} written.`);
+  }
+
+  private command(output: string): string {
+    return commandLine(this.store.project, output);
+  }
+
+  private async copyLink(): Promise<void> {
+    if (this.store.project.source.kind === "file") {
+      throw new Error("A link holds built-in shapes alone; save the project instead.");
+    }
+    const address = new URL(location.href);
+    address.hash = await toHash(this.store.project);
+    history.replaceState(null, "", address);
+    await this.copy(address.href, "The link is copied.");
+  }
+
+  private async copy(text: string, done: string): Promise<void> {
+    await this.attempt(async () => {
+      await navigator.clipboard.writeText(text);
+      this.panel.tell(done);
+    });
+  }
+
+  private save(): void {
+    saveProject(this.store.project).catch(() =>
+      this.panel.complain("This browser keeps nothing: save the project to a file."),
+    );
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
+    event.preventDefault();
+    if (event.shiftKey) this.store.redo();
+    else this.store.undo();
+  }
+
+  /** Runs it; what goes wrong becomes one sentence. */
+  private async attempt(body: () => Promise<void>): Promise<void> {
+    try {
+      this.panel.complain("");
+      await body();
+    } catch (error) {
+      if (error instanceof Cancelled) return this.panel.tell("Cancelled.");
+      this.panel.tell("");
+      const message = error instanceof Error ? error.message : String(error);
+      this.panel.complain(error instanceof CrazeError ? message.replace("/studio/", "") : message);
+    }
+  }
+}

@@ -1,0 +1,188 @@
+// The controls and what each of them changes.
+import type { Project } from "../project/project";
+import { parameter, presetTable } from "../project/tables";
+import { button, checkbox, combobox, element, radioGroup, type Choice } from "./elements";
+import { Slider } from "./slider";
+
+export const paints = ["None", "Stress", "Strength", "Spacing", "Mask", "Impact"] as const;
+export type Paint = (typeof paints)[number];
+
+export interface Actions {
+  open(): void;
+  crack(): void;
+  cancel(): void;
+  undo(): void;
+  redo(): void;
+  exportFile(format: string): void;
+  copyCommand(): void;
+  copyLink(): void;
+  newSeed(): void;
+  saveProject(): void;
+  play(): void;
+  change(change: Partial<Project>): void;
+  growth(time: number): void;
+  paint(paint: Paint): void;
+  fragments(shown: boolean): void;
+}
+
+const shapes: Choice[] = [
+  { value: "cup?n=96", label: "Cup" },
+  { value: "bowl", label: "Bowl" },
+  { value: "plate?n=60&jitter=0.3", label: "Plate" },
+  { value: "sphere", label: "Sphere" },
+  { value: "torus", label: "Torus" },
+  { value: "bumps", label: "Bumps" },
+];
+
+const formats: Choice[] = [
+  { value: "ply", label: "PLY" },
+  { value: "obj", label: "OBJ" },
+  { value: "glb", label: "GLB" },
+  { value: "stl", label: "STL" },
+  { value: "usda", label: "USDA" },
+  { value: "painted.ply", label: "Painted input (PLY)" },
+];
+
+export class Panel {
+  readonly root = element("div", { class: "panel" });
+  private readonly presets;
+  private readonly paintGroup;
+  private readonly shape;
+  readonly spacing;
+  readonly load;
+  readonly gap;
+  readonly wall;
+  readonly curl;
+  readonly growth;
+  readonly brushSize;
+  readonly brushStrength;
+  readonly erase = checkbox("Erase", () => {});
+  readonly mirror = checkbox("Mirror in x", () => {});
+  private readonly cancelButton;
+  private readonly undoButton;
+  private readonly redoButton;
+  private readonly status = element("p", { role: "status", "aria-label": "Progress" });
+  private readonly bar = element("progress", { "aria-hidden": "true", max: "1", value: "0" });
+  private readonly error = element("p", { role: "alert", class: "error" });
+
+  constructor(actions: Actions) {
+    const slider = (name: string, key: keyof Project & string, of: string, high: number) =>
+      new Slider({
+        name,
+        low: parameter(of).minimum ?? 0,
+        high,
+        help: parameter(of).help,
+        set: (value) => actions.change({ [key]: value }),
+      });
+    const choices = Object.entries(presetTable).map(([value, { description }]) => ({
+      value,
+      label: value,
+      help: description,
+    }));
+    this.presets = radioGroup("Preset", choices, (preset) =>
+      actions.change({ preset, spacing: null, load: null }),
+    );
+    this.shape = combobox("Shape", shapes, (specification) =>
+      actions.change({ source: { kind: "shape", specification }, strokes: [], impacts: [] }),
+    );
+    this.spacing = slider("Spacing", "spacing", "layer.spacing", 1);
+    this.load = slider("Load", "load", "evolution.max_load", 8);
+    this.gap = slider("Gap", "gap", "post.gap", 0.2);
+    this.wall = slider("Wall", "wall", "post.wall", 0.1);
+    this.curl = slider("Curl", "curl", "post.curl", 3);
+    this.growth = new Slider({
+      name: "Growth",
+      low: 0,
+      high: 1,
+      help: "how far the cracks have grown",
+      preview: actions.growth,
+      set: actions.growth,
+    });
+    const tool = (name: string, low: number, high: number, value: number) => {
+      const made = new Slider({ name, low, high, set: () => {} });
+      made.show(value);
+      return made;
+    };
+    this.brushSize = tool("Brush size", 0.01, 0.5, 0.12);
+    this.brushStrength = tool("Brush strength", 0.01, 1, 0.5);
+    this.paintGroup = radioGroup(
+      "Paint",
+      paints.map((value) => ({ value, label: value })),
+      (paint) => actions.paint(paint as Paint),
+    );
+    this.cancelButton = button("Cancel", actions.cancel);
+    this.undoButton = button("Undo", actions.undo, { "aria-keyshortcuts": "Control+Z" });
+    this.redoButton = button("Redo", actions.redo, { "aria-keyshortcuts": "Control+Shift+Z" });
+    const format = combobox("Export format", formats, () => {});
+    const fragments = checkbox("Colour fragments", actions.fragments);
+    const row = (...children: Node[]) => element("div", { class: "buttons" }, ...children);
+    const group = (title: string, ...children: Node[]) =>
+      element("section", {}, element("h2", {}, title), ...children);
+    this.root.append(
+      row(button("Open", actions.open), this.undoButton, this.redoButton),
+      this.shape.row,
+      this.presets.group,
+      row(
+        button("Crack", actions.crack, { class: "main" }),
+        this.cancelButton,
+        button("New seed", actions.newSeed),
+      ),
+      this.status,
+      this.bar,
+      this.error,
+      group("Cracks", this.spacing.row, this.load.row),
+      group("Opening", this.gap.row, this.wall.row, this.curl.row),
+      group("Growth", this.growth.row, row(button("Play", actions.play)), fragments.row),
+      this.paintGroup.group,
+      group(
+        "Brush",
+        this.brushSize.row,
+        this.brushStrength.row,
+        this.erase.row,
+        this.mirror.row,
+      ),
+      group(
+        "Keep",
+        format.row,
+        row(
+          button("Export", () => actions.exportFile(format.select.value)),
+          button("Save project", actions.saveProject),
+          button("Copy command", actions.copyCommand),
+          button("Copy link", actions.copyLink),
+        ),
+      ),
+    );
+    this.paintGroup.show("None");
+  }
+
+  /** `diagonal`: of the input, which lengths go by; `spacing`: what holds where none is set. */
+  show(project: Project, diagonal: number, canUndo: boolean, canRedo: boolean): void {
+    const recipe = presetTable[project.preset]!.recipe;
+    this.presets.show(project.preset);
+    if (project.source.kind === "shape") this.shape.select.value = project.source.specification;
+    else this.shape.select.selectedIndex = -1;
+    this.spacing.range(0.015 * diagonal, 0.3 * diagonal);
+    this.spacing.show(project.spacing ?? (recipe.layer.relative_spacing || 0.06) * diagonal);
+    this.load.range(0, 8);
+    this.load.show(project.load ?? recipe.evolution.max_load);
+    this.gap.show(project.gap);
+    this.wall.range(0, 0.06 * diagonal);
+    this.wall.show(project.wall);
+    this.curl.show(project.curl);
+    this.undoButton.disabled = !canUndo;
+    this.redoButton.disabled = !canRedo;
+  }
+
+  /** One sentence; `fraction` is null where no end is known, and without it nothing is at work. */
+  tell(sentence: string, fraction?: number | null): void {
+    this.status.textContent = sentence;
+    this.cancelButton.disabled = fraction === undefined;
+    this.bar.classList.toggle("idle", fraction === undefined);
+    if (fraction == null) this.bar.removeAttribute("value");
+    else this.bar.value = fraction;
+  }
+
+  complain(sentence: string): void {
+    this.error.textContent = sentence;
+  }
+}

@@ -1,0 +1,162 @@
+// The built page as a person and as a screen reader find it.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, before, test } from "node:test";
+import { cracked, openBrowser, progress, skip, visit } from "./page.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const still = { viewport: { width: 640, height: 480 }, reducedMotion: "reduce" };
+const buttons = ["Open", "Crack", "Cancel", "Undo", "Redo", "Export", "Copy command", "Copy link", "New seed"];
+const sliders = ["Spacing", "Load", "Gap", "Wall", "Curl", "Growth", "Brush size", "Brush strength"];
+const paints = ["None", "Stress", "Strength", "Spacing", "Mask", "Impact"];
+
+let browser;
+before(async () => {
+  if (!skip) browser = await openBrowser();
+});
+after(() => browser?.close());
+
+const button = (page, name) => page.getByRole("button", { name, exact: true });
+const slider = (page, name) => page.getByRole("slider", { name, exact: true });
+const pasted = (page) => page.evaluate(() => navigator.clipboard.readText());
+
+async function copied(page, name) {
+  await button(page, name).click();
+  await progress(page).filter({ hasText: "copied" }).waitFor();
+  return pasted(page);
+}
+
+async function drop(page, name, text) {
+  const data = await page.evaluateHandle(
+    ([name, text]) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([text], name));
+      return transfer;
+    },
+    [name, text],
+  );
+  await page.dispatchEvent("body", "drop", { dataTransfer: data });
+}
+
+async function exported(page, format) {
+  await page.getByRole("combobox", { name: "Export format" }).selectOption({ label: format });
+  const [download] = await Promise.all([page.waitForEvent("download"), button(page, "Export").click()]);
+  return readFileSync(await download.path());
+}
+
+test("a cracked cup is there, and every control has its role and name", { skip }, async () => {
+  const { page, leave } = await visit(browser, still);
+  await cracked(page);
+  for (const name of buttons) assert.equal(await button(page, name).count(), 1, name);
+  for (const name of sliders) assert.equal(await slider(page, name).count(), 1, name);
+  for (const name of paints) {
+    const radio = page.getByRole("radiogroup", { name: "Paint" }).getByRole("radio", { name });
+    assert.equal(await radio.count(), 1, name);
+  }
+  const presets = page.getByRole("radiogroup", { name: "Preset" }).getByRole("radio");
+  assert.equal(await presets.count(), 7);
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    await page.evaluate(axe);
+    const { violations } = await page.evaluate(() => globalThis.axe.run());
+    assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
+  }
+  await leave();
+});
+
+test("opening the cracks, and taking it back, cracks nothing again", { skip }, async () => {
+  const { page, leave } = await visit(browser, still);
+  const said = await cracked(page);
+  const before = await exported(page, "PLY");
+  const phases = page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const seen = [];
+        const region = document.querySelector("[role=status]");
+        new MutationObserver(() => seen.push(region.textContent)).observe(region, { childList: true });
+        globalThis.stopLooking = () => resolve(seen);
+      }),
+  );
+  for (const name of ["Gap", "Wall", "Curl", "Growth"]) {
+    await slider(page, name).focus();
+    await page.keyboard.press("PageUp");
+  }
+  const opened = await exported(page, "PLY");
+  assert.notDeepEqual(opened, before);
+  for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+z");
+  assert.equal(await button(page, "Undo").isDisabled(), true);
+  assert.deepEqual(await exported(page, "PLY"), before);
+  for (let i = 0; i < 3; ++i) await button(page, "Redo").click();
+  assert.deepEqual(await exported(page, "PLY"), opened);
+  await page.evaluate(() => globalThis.stopLooking());
+  assert.deepEqual((await phases).filter((text) => /crack|start/.test(text) && !/cracked/.test(text)), []);
+  assert.match(said, /cracks/);
+  await leave();
+});
+
+test("a link brings the same cracks and the same command back", { skip }, async () => {
+  const first = await visit(browser, still);
+  await cracked(first.page);
+  await button(first.page, "New seed").click();
+  await progress(first.page).filter({ hasText: /^\D/ }).waitFor();
+  await cracked(first.page);
+  const command = await copied(first.page, "Copy command");
+  assert.equal(
+    command,
+    "craze crack 'shape:cup?n=96' -o cracked.ply --preset glaze --set layer.spacing=0.14 --set seed=2",
+  );
+  const link = await copied(first.page, "Copy link");
+  const bytes = await exported(first.page, "PLY");
+  await first.leave();
+  const second = await visit(browser, still, new URL(link).hash);
+  await cracked(second.page);
+  assert.equal(await copied(second.page, "Copy command"), command);
+  assert.deepEqual(await exported(second.page, "PLY"), bytes);
+  await second.leave();
+});
+
+test("a run that is cancelled leaves the last result", { skip }, async () => {
+  const { page, leave } = await visit(browser, still);
+  await cracked(page);
+  const before = await exported(page, "PLY");
+  await page.getByText("mud-mature").click();
+  await progress(page).filter({ hasText: /crack: \d+ cracks/ }).waitFor();
+  await button(page, "Cancel").click();
+  assert.equal(await progress(page).textContent(), "Cancelled.");
+  assert.deepEqual(await exported(page, "PLY"), before);
+  await leave();
+});
+
+test("a broken file is one sentence, and the page goes on", { skip }, async () => {
+  const { page, leave } = await visit(browser, still);
+  await cracked(page);
+  await drop(page, "broken.obj", "v 0 0 0\nf 1 2 3\n");
+  const alert = page.getByRole("alert").filter({ hasText: "broken.obj" });
+  await alert.waitFor();
+  assert.doesNotMatch(await alert.textContent(), /\n/);
+  const tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  await drop(page, "mine.obj", tetrahedron);
+  await progress(page).filter({ hasText: /^load|^start|^repair|^crack/ }).waitFor();
+  await cracked(page);
+  assert.match(await copied(page, "Copy command"), /^craze crack mine\.obj /);
+  await leave();
+});
+
+test("a stroke on the surface changes the recipe, and is undone", { skip }, async () => {
+  const { page, leave } = await visit(browser, still);
+  await cracked(page);
+  const plain = await copied(page, "Copy command");
+  await page.getByRole("radiogroup", { name: "Paint" }).getByText("Mask").click();
+  const box = await page.locator("canvas").boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height * 0.6];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y, { steps: 4 });
+  await page.mouse.up();
+  await cracked(page);
+  assert.match(await copied(page, "Copy command"), /painted\.ply .*where\.attribute="paint_mask"/);
+  await button(page, "Undo").click();
+  assert.equal(await copied(page, "Copy command"), plain);
+  await leave();
+});

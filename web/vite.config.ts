@@ -1,0 +1,8 @@
+import { defineConfig } from "vite";
+
+// One static folder that works from any path: every address in it is relative.
+export default defineConfig({
+  base: "./",
+  worker: { format: "es" },
+  build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 1200 },
+});
