@@ -14,8 +14,10 @@
 #include "craze/job/dataset/distractors.h"
 #include "craze/job/load_surface.h"
 #include "craze/job/load_textures.h"
+#include "craze/output/source_file.h"
 #include "craze/products/cut_surface.h"
 #include "craze/products/opening/opened_surface.h"
+#include "craze/products/opening/shading_normals.h"
 #include "craze/render/subject.h"
 
 namespace craze {
@@ -217,7 +219,7 @@ Scene make_scene(const Plan& plan, const PlanValues& values, const DatasetShape&
   mesh.face_attributes = {std::move(fragment)};
   const render::Subject subject = render::subject_of(mesh);
   render::PictureOptions options = picture_options(values, shape, subject, is_shape(object), name);
-  mesh.corner_normals = picture_normals(shown, result, recipe.post, options.crease);
+  mesh.corner_normals = shading_normals(shown, result, options.crease);
   const Projection projection(render::picture_camera(mesh, options), shape.width, shape.height);
 
   Scene scene{

@@ -11,6 +11,7 @@
 #include "craze/error.h"
 #include "craze/job/load_surface.h"
 #include "craze/job/load_textures.h"
+#include "craze/output/source_file.h"
 #include "craze/products/statistics/quantities.h"
 
 namespace craze {
