@@ -112,7 +112,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   if (request.as_maps) {
     const MappedOutput mapped{request.output, request.maps.options.size,
                               result.report().recipe.post, request.stain};
-    report.output = write_mapped(result, beside.scene, mapped, warn, context);
+    report.output = write_mapped(result, beside.source.scene, mapped, warn, context);
   }
   context.check();
   if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context), {}, context);

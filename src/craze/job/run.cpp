@@ -80,7 +80,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   Stopwatch total, phase;
   Loaded loaded = load(request, context);
   if (!request.maps.folder.empty()) check_uvs(*loaded.input.surface);
-  if (request.as_maps) check_mappable(*loaded.input.surface, loaded.beside.scene.get());
+  if (request.as_maps) check_mappable(*loaded.input.surface, loaded.beside.source.scene.get());
   const double load_time = phase.lap();
 
   const Result result =
