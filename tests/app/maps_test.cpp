@@ -76,7 +76,7 @@ nlohmann::json json_of(const std::string& glb) {
 }
 
 TEST_F(MapFiles, CanBeTheMaterialsOfAMeshThatIsNotCut) {
-  ASSERT_EQ(run({"crack", "shape:cup?n=16", "-o", "plain.glb", "--max-cracks", "0", "--preset",
+  ASSERT_EQ(run({"crack", "shape:cup?n=24", "-o", "plain.glb", "--max-cracks", "0", "--preset",
                  "glaze", "--quiet"})
                 .code,
             0);
@@ -98,7 +98,7 @@ TEST_F(MapFiles, CanBeTheMaterialsOfAMeshThatIsNotCut) {
 }
 
 TEST_F(MapFiles, AsMaterialsGetUvsWhereTheMeshHasNone) {
-  ASSERT_EQ(run({"crack", "shape:cup?n=16", "-o", "cup.stl", "--max-cracks", "0", "--preset",
+  ASSERT_EQ(run({"crack", "shape:cup?n=24", "-o", "cup.stl", "--max-cracks", "0", "--preset",
                  "glaze", "--quiet"})
                 .code,
             0);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <set>
@@ -82,11 +83,25 @@ std::int32_t count_islands(const SurfaceMesh& surface) {
   return islands.empty() ? 0 : 1 + *std::max_element(islands.begin(), islands.end());
 }
 
+/// By glTF a primitive without normals is flat. Section 3.7.2.1.
+std::vector<Vec3> flat_normals(const SurfaceMesh& surface) {
+  std::vector<Vec3> normals;
+  for (const Triangle& t : surface.triangles) {
+    const Vec3& p = surface.positions[t[0]];
+    const Vec3 across = (surface.positions[t[1]] - p).cross(surface.positions[t[2]] - p);
+    normals.insert(normals.end(), 3, across.stableNormalized());
+  }
+  return normals;
+}
+
 /// The surface that the cracks were cut into, with UVs that maps can be baked in.
 SurfaceMesh surface_to_map(const Result& result, const SourceScene* scene, const Warn& warn,
                            const Context& context) {
   SurfaceMesh surface = result.state().surface;
-  if (is_document(scene)) return surface;
+  if (is_document(scene)) {
+    if (surface.corner_normals.empty()) surface.corner_normals = flat_normals(surface);
+    return surface;
+  }
   surface.corner_normals = corner_normals(surface);
   const char* reason = surface.corner_uvs.empty() ? "has no UVs" : nullptr;
   if (!reason && !has_pictures(scene) &&
