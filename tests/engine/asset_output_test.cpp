@@ -1,6 +1,7 @@
 // mesh.output = "asset": the input's own triangles, cracked, and nothing else of it touched.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -255,6 +256,44 @@ TEST(ARunWithoutCracks, GivesTheAssetBack) {
   EXPECT_TRUE(
       test::same_bits(cut.corner_uvs.data(), mesh.corner_uvs.data(), mesh.corner_uvs.size()));
   EXPECT_GT(result.report().simulation.triangles, 100);
+}
+
+TEST(AnOpenedGap, StaysOnThePlanesOfAHardEdgedAsset) {
+  for (const Asset& asset : {hard_edged()[0], hard_edged()[1]}) {
+    SCOPED_TRACE(asset.name);
+    const Result result = cracked(asset.mesh, recipe_for("glaze", 0.1));
+    const SurfaceMesh opened = Opening(result, {0.02, 0, 0}, {}).mesh();
+    const SurfaceMesh shut = cut_mesh(result, {});
+    double furthest = 0;
+    for (std::size_t f = 0; f < shut.triangles.size(); ++f) {
+      const Triangle& t = asset.mesh.triangles[opened.source_faces[f]];
+      const Vec3 normal = test::area_vector(asset.mesh.positions, t).normalized();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3& p = opened.positions[opened.triangles[f][i]];
+        EXPECT_NEAR((p - asset.mesh.positions[t[0]]).dot(normal), 0, 1e-9);
+        furthest = std::max(furthest, (p - shut.positions[shut.triangles[f][i]]).norm());
+      }
+    }
+    EXPECT_GT(furthest, 1e-3);
+  }
+}
+
+TEST(AnOpenedGap, IsNotHeldShutByShellsThatPassThroughEachOther) {
+  SurfaceMesh mesh = make_shape("plate?n=4");
+  mesh.corner_uvs.clear();
+  const auto first = static_cast<std::int32_t>(mesh.positions.size());
+  const std::size_t faces = mesh.triangles.size();
+  for (std::int32_t v = 0; v < first; ++v) {
+    const Vec3 p = mesh.positions[v];
+    mesh.positions.emplace_back(p.x() + 0.013, 0.3 * p.y(), p.y() + 0.1);
+  }
+  for (std::size_t f = 0; f < faces; ++f) {
+    const Triangle t = mesh.triangles[f];
+    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  const Result result = cracked(mesh, recipe_for("glaze", 0.05));
+  EXPECT_GT(result.report().cracks.fragments, 40);
+  EXPECT_TRUE(Opening(result, {0.01, 0, 0}, {}).warnings().empty());
 }
 
 /// Where `origin` says that a corner lies, in the input.

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <iterator>
 
+#include "craze/engine/asset/keep_to_planes.h"
 #include "craze/engine/check_where.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/engine/place_impacts.h"
@@ -92,6 +93,11 @@ void settle(CrackedSurface& state, SimulationSurface surface, Report& report,
       surface.asset,
       {simulation.mesh(), state.network, displacement, state.fragments.face, surface.asset_face},
       -1, counting));
+  if (!state.network.edges.empty()) {
+    const auto edges = static_cast<double>(state.network.edges.size());
+    keep_to_planes(surface.asset, carried->cut, total_length(state.network) / edges,
+                   carried->displacement);
+  }
   state.network = std::move(carried->network);
   state.asset = std::move(carried);
   state.surface = std::move(surface.asset);

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "craze/error.h"
 #include "craze/products/opening/curl.h"
 #include "craze/products/opening/opening_limit.h"
 #include "craze/products/opening/side_walls.h"
+#include "craze/products/opening/turned_faces.h"
 #include "craze/products/opening/vertex_normals.h"
 
 namespace craze {
@@ -71,6 +73,7 @@ OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displa
   const std::vector<Vec3> normals = vertex_normals(mesh, sites);
   std::vector<Vec3> shift = shifts(mesh, sites, displacement, options);
   if (options.curl != 0) add_curl(mesh, sites, normals, options, shift);
+  if (!options.keep_border) shift = needles_moved_as_one(mesh, std::move(shift));
 
   SideWalls walls;
   if (options.wall > 0) {

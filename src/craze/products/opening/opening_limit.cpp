@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <queue>
 #include <utility>
 
 #include "craze/mesh/self_intersection.h"
 #include "craze/products/opening/curl.h"
+#include "craze/products/opening/turned_faces.h"
 
 namespace craze {
 
@@ -28,10 +30,6 @@ constexpr double rim_way = 1.0 / 3, nearly_all = 0.9;
 constexpr double nothing = 0.03;
 /// Walls of this share of their depth are no deeper than need be.
 constexpr double shallow = 0.1;
-
-Vec3 area_normal(const std::vector<Vec3>& p, const Triangle& t) {
-  return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
-}
 
 class Limiter {
  public:
@@ -63,7 +61,7 @@ class Limiter {
     OpeningLimit limit;
     if (!sound) {
       const std::vector<Vec3> positions = motion_.positions(shares_);
-      limit.folded = static_cast<std::int32_t>(folded(positions).size());
+      limit.folded = static_cast<std::int32_t>(turned_faces(mesh_, positions).size());
       limit.crossings = static_cast<std::int32_t>(crossings(positions).size());
     }
     for (std::size_t v = 0; v < shares_.move.size(); ++v) {
@@ -97,7 +95,7 @@ class Limiter {
   /// Takes back where it is too far; true where nothing is.
   bool step(double left) {
     const std::vector<Vec3> positions = motion_.positions(shares_);
-    const std::vector<std::int32_t> turned = folded(positions);
+    const std::vector<std::int32_t> turned = turned_faces(mesh_, positions);
     const Pairs pairs = crossings(positions);
     std::vector<std::uint8_t> less_move(shares_.move.size(), 0), less_depth(less_move);
     for (const std::int32_t f : turned) mark(f, less_move);
@@ -168,36 +166,59 @@ class Limiter {
     }
   }
 
-  std::vector<std::int32_t> folded(const std::vector<Vec3>& positions) const {
-    std::vector<std::int32_t> faces;
-    for (std::int32_t f = 0; f < mesh_.face_count(); ++f) {
-      const Triangle& t = mesh_.triangle(f);
-      bool turned = area_normal(mesh_.positions(), t).dot(area_normal(positions, t)) < 0;
-      // A piece that has shrunk through its middle is turned about it, in its own plane.
-      for (std::int32_t h = 3 * f; h < 3 * f + 3 && !turned; ++h) {
-        turned = edge(mesh_.positions(), h).dot(edge(positions, h)) < 0;
-      }
-      if (turned) faces.push_back(f);
-    }
-    return faces;
-  }
-
   Pairs crossings(const std::vector<Vec3>& positions) {
     Pairs pairs = self_intersections(positions, triangles_, most_pairs_, context_);
     if (pairs.empty()) return pairs;
     if (!knows_before_) {
       before_ = self_intersections(mesh_.positions(), mesh_.triangles(), most_pairs_, context_);
+      find_pierced();
       knows_before_ = true;
     }
     Pairs fresh;
     std::set_difference(pairs.begin(), pairs.end(), before_.begin(), before_.end(),
                         std::back_inserter(fresh));
+    fresh.erase(std::remove_if(fresh.begin(), fresh.end(),
+                               [&](const auto& pair) { return is_pierced(pair[0], pair[1]); }),
+                fresh.end());
     return fresh;
   }
 
-  Vec3 edge(const std::vector<Vec3>& positions, std::int32_t h) const {
-    return positions[mesh_.to(h)] - positions[mesh_.from(h)];
+  /// Which shells pass through which others as they are: where they do so moves as they open.
+  void find_pierced() {
+    if (before_.empty()) return;
+    shell_.resize(mesh_.vertex_count());
+    std::iota(shell_.begin(), shell_.end(), 0);
+    const auto find = [&](std::int32_t v) {
+      while (shell_[v] != v) v = shell_[v] = shell_[shell_[v]];
+      return v;
+    };
+    for (const Triangle& t : mesh_.triangles()) {
+      for (const int i : {1, 2}) {
+        const std::int32_t a = find(mesh_.root(t[0])), b = find(mesh_.root(t[i]));
+        shell_[std::max(a, b)] = std::min(a, b);
+      }
+    }
+    for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) shell_[v] = find(mesh_.root(v));
+    for (const auto& [f, g] : before_) pierced_.push_back(shells_of(f, g));
+    std::sort(pierced_.begin(), pierced_.end());
   }
+
+  bool is_pierced(std::int32_t f, std::int32_t g) const {
+    if (pierced_.empty() || shell_of(f) == shell_of(g)) return false;
+    return std::binary_search(pierced_.begin(), pierced_.end(), shells_of(f, g));
+  }
+
+  /// The face itself, or that which a wall hangs from.
+  std::int32_t beside(std::int32_t f) const {
+    return f < mesh_.face_count() ? f : motion_.walls.beside[f - mesh_.face_count()];
+  }
+  std::int32_t shell_of(std::int32_t f) const { return shell_[mesh_.triangle(beside(f))[0]]; }
+
+  std::pair<std::int32_t, std::int32_t> shells_of(std::int32_t f, std::int32_t g) const {
+    const std::int32_t a = shell_of(f), b = shell_of(g);
+    return {std::min(a, b), std::max(a, b)};
+  }
+
   bool has_wall(std::size_t v) const {
     return !motion_.walls.bottom.empty() && mesh_.is_open_vertex(static_cast<std::int32_t>(v));
   }
@@ -216,6 +237,8 @@ class Limiter {
   std::size_t most_pairs_;
   Pairs before_;  // crossings of the mesh as it is
   bool knows_before_ = false;
+  std::vector<std::int32_t> shell_;  // #V: parts of the mesh with its cracks shut
+  std::vector<std::pair<std::int32_t, std::int32_t>> pierced_;  // shells, ascending
 };
 
 }  // namespace

@@ -39,7 +39,8 @@ struct OpeningLimit {
 /// all rims no further than a third of the distance between cracks. Then takes back what makes
 /// triangles turn over or cross, first the depth of walls, then the movement; from there shares
 /// grow with the distance along the surface, so that openings taper. What crosses in the mesh as it
-/// is cannot be mended so and does not count. Throws Cancelled.
+/// is cannot be mended so and does not count, nor do shells that pass through each other as they
+/// are. Throws Cancelled.
 OpeningLimit limit_opening(const OpeningMotion& motion, const Context& context);
 
 }  // namespace craze

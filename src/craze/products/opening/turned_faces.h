@@ -1,0 +1,24 @@
+// Faces that turn over as the cracks open.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "craze/mesh/triangle_mesh.h"
+
+namespace craze {
+
+/// Faces of the mesh, ascending, that look the other way with their vertices at `positions` (#V),
+/// or have an edge that points back: a piece that has shrunk through its middle is turned about it,
+/// in its own plane.
+std::vector<std::int32_t> turned_faces(const TriangleMesh& mesh,
+                                       const std::vector<Vec3>& positions);
+
+/// `shift` (#V), but faces that it would turn over move as one, by the mean of their vertices'
+/// shifts, of those on hard edges or at corners alone where there are any: needles beside a crack,
+/// which its rims would overtake. So what is wider than a needle opens all the way. Where more than
+/// a hundredth of the faces would turn, it is not about needles, and the shifts come back as they
+/// are.
+std::vector<Vec3> needles_moved_as_one(const TriangleMesh& mesh, std::vector<Vec3> shift);
+
+}  // namespace craze
