@@ -111,7 +111,7 @@ def wall():
     made = thing("wall", plane, plain("plaster", (0.75, 0.72, 0.66), 0.8))
     panel("concrete-crazing", spacing=0.16, gap=0.03, wall=0.01, seed=2)
     bpy.ops.craze.crack()
-    bpy.ops.craze.bake(size=2048)
+    bpy.ops.craze.bake(size=1024)
     cracked = bpy.context.active_object
     made.data.materials[0] = cracked.data.materials[0]
     bpy.data.objects.remove(cracked)
