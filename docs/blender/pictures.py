@@ -105,7 +105,7 @@ def steps():
             scenes.SCENES[name]()
             bpy.ops.object.select_all(action="DESELECT")
         look(yaw, pitch, distance, target)
-        yield 1.0
+        yield 4.0  # until pictures of presets are there
         shot(name)
         yield 0.5
         if name == "vase":

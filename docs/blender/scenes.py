@@ -1,6 +1,6 @@
-"""Three finished scenes of docs/blender.md: blender -b --python scenes.py -- SCENE FILE.blend
+"""Four finished scenes of docs/blender.md: blender -b --python scenes.py -- SCENE FILE.blend
 
-SCENE is mud, vase or glass. The add-on is installed, or its folder is in PYTHONPATH.
+SCENE is mud, vase, glass or wall. The add-on is installed, or its folder is in PYTHONPATH.
 """
 
 import math
@@ -101,7 +101,25 @@ def glass():
     bpy.ops.craze.pieces(thickness=0.03)
 
 
-SCENES = {"mud": mud, "vase": vase, "glass": glass}
+def wall():
+    """A square of plaster, crazed by baked images alone."""
+
+    def plane(shape):
+        shape.loops.layers.uv.new("UVMap")
+        bmesh.ops.create_grid(shape, x_segments=1, y_segments=1, size=1.0, calc_uvs=True)
+
+    made = thing("wall", plane, plain("plaster", (0.75, 0.72, 0.66), 0.8))
+    panel("concrete-crazing", spacing=0.16, gap=0.03, wall=0.01, seed=2)
+    bpy.ops.craze.crack()
+    bpy.ops.craze.bake(size=1024)
+    cracked = bpy.context.active_object
+    made.data.materials[0] = cracked.data.materials[0]
+    bpy.data.objects.remove(cracked)
+    made.hide_render = False
+    made.hide_set(False)
+
+
+SCENES = {"mud": mud, "vase": vase, "glass": glass, "wall": wall}
 
 
 def empty():

@@ -111,6 +111,14 @@ class Package(unittest.TestCase):
                 if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
                     self.assertNotIn(node.func.id, FORBIDDEN_NAMES, name)
 
+    def test_each_preset_has_a_small_picture(self):
+        presets = json.loads(self.files[FOLDER + "table.json"])["presets"]
+        pictures = {n: t for n, t in self.files.items() if n.startswith(FOLDER + "pictures/")}
+        self.assertEqual(set(pictures), {f"{FOLDER}pictures/{name}.png" for name in presets})
+        for name, content in pictures.items():
+            self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n", name)
+            self.assertLess(len(content), 32768, name)
+
     def test_operators_and_panels_are_named_as_blender_wants(self):
         for name, text in self.python.items():
             for kind, cls in re.findall(r"^class \w+_(OT|PT)_(\w+)\(", text, re.M):
