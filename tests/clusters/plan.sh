@@ -9,8 +9,8 @@ cat >plan.toml <<'END'
 samples = 24
 shard_samples = 2
 clean = 0.2
-width = 64
-height = 48
+width = 192
+height = 160
 [object]
 mesh = "shape:plate?n=20&jitter=0.3"
 [recipe]

@@ -39,7 +39,9 @@ def read_png(data: bytes) -> NDArray[Any]:
     rows = np.frombuffer(zlib.decompress(b"".join(packed)), np.uint8).reshape(height, -1)
     if (rows[:, 0] != 1).any():  # every row: differences from the pixel on the left
         raise ValueError("not a PNG that craze dataset writes")
-    pixels = np.cumsum(rows[:, 1:].reshape(height, width, channels * step), axis=1, dtype=np.uint8)
+    pixels: NDArray[Any] = np.cumsum(
+        rows[:, 1:].reshape(height, width, channels * step), axis=1, dtype=np.uint8
+    )
     if step == 2:
         pixels = (pixels[..., 0::2].astype(np.uint16) << 8) | pixels[..., 1::2]
     return pixels.reshape((height, width) if channels == 1 else (height, width, 3))
