@@ -86,8 +86,8 @@ TEST_P(CarriedRing, PartsTheAssetAndEachSideKeepsItsOwnDisplacement) {
     }
   }
   const std::vector<std::int32_t> below = faces_below(fine, asset);
-  const CrackedAsset made =
-      carry_onto_asset(asset, {cracked.mesh, cracked.network, displacement, parts.face, below}, 0, {});
+  const CrackedAsset made = carry_onto_asset(
+      asset, {cracked.mesh, cracked.network, displacement, parts.face, below}, 0, {});
   test::check_cut(asset, made.cut);
   test::check_chains(made.curves, made.cut, 1.0001, 1e-6);
   EXPECT_EQ(made.cut.report.traced.lost, 0);
