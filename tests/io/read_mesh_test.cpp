@@ -42,8 +42,7 @@ TEST(ReadMesh, UnknownExtensionsAndEmptyFilesAreSaidToBeSo) {
   write_file(folder / "a.obj", "");
   EXPECT_NE(message_of([&] { read_mesh_file(folder / "a.fbx"); }).find("'.fbx'"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { read_mesh_file(folder / "a.obj"); }).find("empty"),
-            std::string::npos);
+  EXPECT_NE(message_of([&] { read_mesh_file(folder / "a.obj"); }).find("empty"), std::string::npos);
   message_of([&] { write_mesh(folder / "a.fbx", rich_mesh()); }, ErrorKind::usage);
 }
 
