@@ -22,8 +22,10 @@ const slider = (page, name) => page.getByRole("slider", { name, exact: true });
 const pasted = (page) => page.evaluate(() => navigator.clipboard.readText());
 
 async function copied(page, name) {
+  // The status may speak of what was copied before.
+  await page.evaluate(() => navigator.clipboard.writeText(""));
   await button(page, name).click();
-  await progress(page).filter({ hasText: "copied" }).waitFor();
+  await page.waitForFunction(async () => (await navigator.clipboard.readText()) !== "");
   return pasted(page);
 }
 
