@@ -52,7 +52,7 @@ MaterialLook look_of(const Json& json) {
 
 Json textured(const Json& image, const Json& reference = {{"index", 0}}) {
   Json json = document();
-  json["images"] = {image};
+  json["images"] = Json::array({image});
   json["textures"] = {{{"source", 0}}};
   json["materials"][0]["pbrMetallicRoughness"] = {{"baseColorTexture", reference}};
   return json;
