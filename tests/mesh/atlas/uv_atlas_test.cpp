@@ -34,8 +34,8 @@ std::pair<double, double> stretch(const SurfaceMesh& mesh, const std::vector<Vec
   return {std::sqrt(mean - spread), std::sqrt(mean + spread)};
 }
 
-const char* const shapes[] = {"cube?n=4", "sphere?n=16", "torus?n=24",
-                              "cup?n=24", "plate?n=8&jitter=0.3"};
+const char* const shapes[] = {"cube?n=4", "sphere?n=16", "torus?n=24", "cup?n=24",
+                              "plate?n=8&jitter=0.3"};
 
 TEST(UvAtlas, HasBoundedStretchAtOneScale) {
   for (const char* shape : shapes) {
