@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "craze/base/parallel.h"
 #include "craze/error.h"
 #include "craze/io/bytes/sha256.h"
 #include "craze/io/files/atomic_file.h"
@@ -15,6 +14,7 @@
 #include "craze/io/files/tar.h"
 #include "craze/job/dataset/coco.h"
 #include "craze/job/output_folder.h"
+#include "craze/job/plan/side_by_side.h"
 
 namespace craze {
 
@@ -138,13 +138,9 @@ ShardMark write_shard(const DatasetPlan& plan, const fs::path& folder, std::uint
     context.report(
         {"dataset", static_cast<double>(begin) / static_cast<double>(plan.shape.samples)});
     std::vector<Sample> samples(std::min(at_once, end - begin));
-    if (samples.size() == 1) {
-      samples[0] = make_sample(plan, begin, {context.threads, {}, context.cancelled});
-    } else {
-      parallel_for(context.threads, samples.size(), 1, [&](std::size_t i, std::size_t) {
-        samples[i] = make_sample(plan, begin + i, {Threads(1), {}, {}});
-      });
-    }
+    side_by_side(samples.size(), context, [&](std::size_t i, const Context& own) {
+      samples[i] = make_sample(plan, begin + i, own);
+    });
     for (std::size_t i = 0; i < samples.size(); ++i) writer.add(samples[i], begin + i);
   }
   return writer.finish(paths, first);

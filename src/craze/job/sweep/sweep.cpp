@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "craze/base/parallel.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/output_folder.h"
+#include "craze/job/plan/side_by_side.h"
 #include "craze/job/sweep/join_parts.h"
 #include "craze/job/sweep/sweep_table.h"
 
@@ -26,13 +26,9 @@ std::string make_rows(const SweepRows& rows, std::uint64_t begin, std::uint64_t 
   for (std::uint64_t first = begin; first < end; first += at_once) {
     context.check();
     std::vector<std::string> lines(std::min(at_once, end - first));
-    if (lines.size() == 1) {
-      lines[0] = sweep_row(rows, first, folder, {context.threads, {}, context.cancelled});
-    } else {
-      parallel_for(context.threads, lines.size(), 1, [&](std::size_t i, std::size_t) {
-        lines[i] = sweep_row(rows, first + i, folder, {Threads(1), {}, {}});
-      });
-    }
+    side_by_side(lines.size(), context, [&](std::size_t i, const Context& own) {
+      lines[i] = sweep_row(rows, first + i, folder, own);
+    });
     for (const std::string& line : lines) text += line + "\n";
     context.report(
         {"sweep", static_cast<double>(first + lines.size()) / static_cast<double>(rows.count())});

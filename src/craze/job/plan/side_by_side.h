@@ -1,0 +1,18 @@
+// Runs of a plan beside each other.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "craze/context.h"
+
+namespace craze {
+
+/// Calls work(i, c) for each i in [0, n), side by side, with one thread each; a single one has all
+/// the threads of `context`. c tells of no progress. It is cancelled where `context` is, which is
+/// asked by the work in the caller's thread alone, as Context says; the others hear of it from
+/// there, so that nothing waits for them where all take about as long. Throws what work throws.
+void side_by_side(std::size_t n, const Context& context,
+                  const std::function<void(std::size_t, const Context&)>& work);
+
+}  // namespace craze
