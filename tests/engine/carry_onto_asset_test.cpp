@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -48,6 +50,18 @@ struct Cracked {
     }
   }
 };
+
+/// How many nodes a network has of each number of edges.
+std::array<int, 8> degrees(const CrackNetwork& network) {
+  std::vector<std::size_t> degree(network.nodes.size(), 0);
+  for (const CrackEdge& e : network.edges) {
+    ++degree[e.a];
+    ++degree[e.b];
+  }
+  std::array<int, 8> count{};
+  for (const std::size_t d : degree) ++count[std::min<std::size_t>(d, 7)];
+  return count;
+}
 
 /// Per face of `mesh` the face of the asset under its middle.
 std::vector<std::int32_t> faces_below(const SurfaceMesh& mesh, const SurfaceMesh& asset) {
@@ -121,6 +135,61 @@ TEST(CarriedCracks, OnTheirOwnMeshSplitNothing) {
   EXPECT_EQ(made.cut.triangles.size(), surface.triangles.size());
   EXPECT_EQ(made.cut.positions.size(), cracked.mesh.positions().size());
   EXPECT_EQ(made.cut.edges.size(), cracked.network.edges.size());
+}
+
+/// Points of a unit sphere, spread evenly.
+std::vector<Vec3> directions(int n) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < n; ++i) {
+    const double z = 1 - (2 * i + 1.0) / n, r = std::sqrt(1 - z * z);
+    points.emplace_back(r * std::cos(2.4 * i), r * std::sin(2.4 * i), z);
+  }
+  return points;
+}
+
+/// A sphere with bumps that lean over.
+SurfaceMesh with_bumps(const SurfaceMesh& sphere) {
+  SurfaceMesh mesh = sphere;
+  for (Vec3& p : mesh.positions) {
+    const Vec3 wave(std::sin(31 * p.y()), std::sin(29 * p.z()), std::sin(37 * p.x()));
+    p += 0.12 * wave.sum() * p + 0.08 * p.cross(wave);
+  }
+  return mesh;
+}
+
+TEST(CarriedCracks, OfASurfaceWithoutTheBumpsMeetAsTheyDidAndPartTheSamePieces) {
+  const SurfaceMesh simulated = make_shape("sphere?n=14"), smooth = make_shape("sphere?n=45");
+  const SurfaceMesh asset = with_bumps(smooth);
+  const std::vector<Vec3> middles = directions(25);
+  const auto nearest = [&](const Triangle& t) {
+    const Vec3 sum =
+        simulated.positions[t[0]] + simulated.positions[t[1]] + simulated.positions[t[2]];
+    return std::max_element(middles.begin(), middles.end(),
+                            [&](const Vec3& a, const Vec3& b) { return a.dot(sum) < b.dot(sum); }) -
+           middles.begin();
+  };
+  const TriangleMesh uncut(simulated.positions, simulated.triangles);
+  std::set<std::array<double, 3>> cracks;  // middles of edges between places of other middles
+  for (std::int32_t h = 0; h < 3 * uncut.face_count(); ++h) {
+    if (nearest(uncut.triangle(h / 3)) == nearest(uncut.triangle(uncut.opposite(h) / 3))) continue;
+    const Vec3 m = uncut.position(uncut.from(h)) + uncut.position(uncut.to(h));
+    cracks.insert({m[0], m[1], m[2]});
+  }
+  const Cracked cracked(simulated, [&](const Vec3& p, const Vec3& q) {
+    const Vec3 m = p + q;
+    return cracks.count({m[0], m[1], m[2]}) > 0;
+  });
+  const Components parts = find_components(cracked.mesh);
+  ASSERT_GE(parts.count, 25);
+  const std::vector<Vec3> still(cracked.mesh.vertex_count(), Vec3::Zero());
+  const std::vector<std::int32_t> below = faces_below(simulated, smooth);
+  const CrackedAsset made = carry_onto_asset(
+      asset, {cracked.mesh, cracked.network, still, parts.face, below, &smooth.positions}, 0, {});
+  test::check_cut(asset, made.cut);
+  EXPECT_EQ(made.cut.report.traced.lost, 0);
+  EXPECT_EQ(find_components(made.mesh).count, parts.count);
+  EXPECT_EQ(degrees(made.network)[1], 0);  // free ends
+  EXPECT_EQ(degrees(made.network)[3], degrees(cracked.network)[3]);
 }
 
 TEST(CarriedCracks, StayOnTheirSideOfAThinWall) {

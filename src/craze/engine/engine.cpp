@@ -89,10 +89,11 @@ void settle(CrackedSurface& state, SimulationSurface surface, Report& report,
     context.report(p);
   };
   const std::vector<Vec3> displacement = state.displacements();
-  auto carried = std::make_unique<CrackedAsset>(carry_onto_asset(
-      surface.asset,
-      {simulation.mesh(), state.network, displacement, state.fragments.face, surface.asset_face},
-      -1, counting));
+  auto carried = std::make_unique<CrackedAsset>(
+      carry_onto_asset(surface.asset,
+                       {simulation.mesh(), state.network, displacement, state.fragments.face,
+                        surface.asset_face, &surface.smooth},
+                       -1, counting));
   if (!state.network.edges.empty()) {
     const auto edges = static_cast<double>(state.network.edges.size());
     keep_to_planes(surface.asset, carried->cut, total_length(state.network) / edges,

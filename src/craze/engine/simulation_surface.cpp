@@ -114,7 +114,9 @@ SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
     positions = std::exchange(repaired.positions, without_bumps(repaired, options.target_edge));
   }
   surface.mesh = remesh(repaired, options, context);
-  if (!positions.empty()) repaired.positions = std::move(positions);
+  if (!positions.empty()) {
+    surface.smooth = std::exchange(repaired.positions, std::move(positions));
+  }
   surface.asset_face = surface.mesh.source_faces;
   if (!source_faces.empty()) {
     for (std::int32_t& f : surface.mesh.source_faces) f = source_faces[f];

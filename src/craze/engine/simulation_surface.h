@@ -22,6 +22,9 @@ struct SimulationSurface {
   /// #F: a face of the asset that lies near each, on its side of any wall.
   std::vector<std::int32_t> asset_face;
   std::vector<double> mask;  ///< #F, how freely each face cracks (crack_mask.h); empty: all do
+  /// #V of the asset: its vertices without the bumps that the mesh leaves out; empty: it leaves out
+  /// none.
+  std::vector<Vec3> smooth = {};
 };
 
 /// Mean length of the triangles' edges, those between two triangles counted twice; there must be a

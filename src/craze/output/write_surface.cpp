@@ -2,7 +2,9 @@
 
 #include <numeric>
 
+#include "craze/engine/cracked_surface.h"
 #include "craze/io/files/extension.h"
+#include "craze/output/lost_data.h"
 #include "craze/products/opening/crack_edges.h"
 #include "craze/products/opening/opened_origin.h"
 #include "craze/products/opening/shading_normals.h"
@@ -31,6 +33,16 @@ MeshFileOptions options_of(const std::string& path, const SourceFile& source,
   return file;
 }
 
+void tell_lost(const std::string& path, const SurfaceMesh& surface, const SourceFile& source,
+               const SurfaceFileOptions& options) {
+  if (!options.warn) return;
+  std::string_view format = "";
+  const std::string extension = lower_extension(path);
+  if (!extension.empty()) format = std::string_view(extension).substr(1);
+  const std::string lost = describe_lost_data(surface, format, source.scene.get());
+  if (!lost.empty()) options.warn(lost);
+}
+
 /// Every face is where it was.
 SurfaceOrigin unmoved(const SurfaceMesh& mesh) {
   SurfaceOrigin origin;
@@ -48,6 +60,7 @@ SurfaceOrigin unmoved(const SurfaceMesh& mesh) {
 void write_surface(const std::string& path, const SurfaceMesh& mesh, const OpenedSurface& shown,
                    const Result& result, const SourceFile& source,
                    const SurfaceFileOptions& options, const Context& context) {
+  tell_lost(path, result.state().surface, source, options);
   const Recipe& recipe = result.report().recipe;
   std::vector<MaterialLook> looks;
   MeshFileOptions file = options_of(path, source, options, looks);
@@ -71,6 +84,7 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Opene
 
 void write_surface(const std::string& path, const SurfaceMesh& mesh, const SourceFile& source,
                    const SurfaceFileOptions& options, const Context& context) {
+  tell_lost(path, mesh, source, options);
   std::vector<MaterialLook> looks;
   MeshFileOptions file = options_of(path, source, options, looks);
   file.up = up_axis(UpAxis::automatic, source);

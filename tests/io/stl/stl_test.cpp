@@ -1,5 +1,8 @@
 #include "craze/io/stl/stl.h"
 
+#include <cstring>
+#include <limits>
+
 #include "craze/io/bytes/byte_order.h"
 #include "io/io_test_tools.h"
 
@@ -48,6 +51,27 @@ TEST(Stl, AsciiFilesMayHoldSeveralSolidsInAnyCase) {
       read("solid part vertex 1\n" + facet + "endsolid\n\nSOLID\n" + facet + "ENDSOLID\n", "a.stl");
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}}));
   EXPECT_EQ(mesh.positions[2], Vec3(0, 0.5, 0));
+}
+
+TEST(Stl, ColorsOfFacesComeBackAsTheyWereRead) {
+  std::string bytes = format_stl(square());
+  for (const std::size_t f : {0, 1}) {
+    const auto color =
+        static_cast<std::uint16_t>(f == 0 ? 0x8000 | 3 << 10 | 30 << 5 | 17 : 0xffff);
+    std::memcpy(bytes.data() + 84 + 50 * f + 48, &color, 2);
+  }
+  const SurfaceMesh mesh = read(bytes);
+  ASSERT_EQ(mesh.face_attributes.size(), 3u);
+  EXPECT_EQ(format_stl(mesh), bytes);
+}
+
+TEST(Stl, ColorsThatAreNoNumbersOrOutOfRangeAreClamped) {
+  SurfaceMesh mesh = square();
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  mesh.face_attributes = {{"red", 1, {none, -5}}, {"green", 1, {300, 0}}, {"blue", 1, {0, 255}}};
+  const std::string bytes = format_stl(mesh);
+  EXPECT_EQ(load<std::uint16_t>(bytes.data() + 84 + 48), 0x8000 | 31 << 5);
+  EXPECT_EQ(load<std::uint16_t>(bytes.data() + 84 + 98), 0x8000 | 31);
 }
 
 TEST(Stl, NormalsAreThoseOfTheTrianglesAndZeroWithoutArea) {

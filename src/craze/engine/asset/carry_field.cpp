@@ -56,21 +56,20 @@ std::vector<std::int32_t> matching_parts(const CutAsset& cut, const FieldSource&
 
 }  // namespace
 
-std::vector<Vec3> carry_field(const CutAsset& cut, const CrackCurves& curves,
-                              const FieldSource& source) {
+std::vector<Vec3> carry_field(const CutAsset& cut, const std::vector<Vec3>& positions,
+                              const CrackCurves& curves, const FieldSource& source) {
   std::vector<Vec3> values(cut.positions.size(), Vec3::Zero());
   std::vector<std::int32_t> count(cut.positions.size(), 0);
   for (const CutEdge& edge : cut.edges) {
     const auto& ends = curves.edges[edge.curve_edge];
-    const Vec3 &a = cut.positions[cut.point_vertex[ends[0]]],
-               &b = cut.positions[cut.point_vertex[ends[1]]];
+    const Vec3 &a = positions[cut.point_vertex[ends[0]]], &b = positions[cut.point_vertex[ends[1]]];
     for (std::size_t s = 0; s < 2; ++s) {
       const std::int32_t h = edge.side[s];
       if (h < 0) continue;
       const std::array<Vec3, 2>& of_end = source.sides[edge.curve_edge].value[s];
       for (const std::int32_t v :
            {cut.triangles[h / 3][h % 3], cut.triangles[h / 3][(h + 1) % 3]}) {
-        const double t = nearest_on_segment(cut.positions[v], a, b);
+        const double t = nearest_on_segment(positions[v], a, b);
         values[v] += (1 - t) * of_end[0] + t * of_end[1];
         ++count[v];
       }
@@ -80,8 +79,8 @@ std::vector<Vec3> carry_field(const CutAsset& cut, const CrackCurves& curves,
   const ClosestPoint tree(source.mesh.positions(), source.mesh.triangles(), source.parts);
   std::vector<Vec3> normal(cut.positions.size(), Vec3::Zero());
   for (const Triangle& t : cut.triangles) {
-    const Vec3& p = cut.positions[t[0]];
-    const Vec3 n = (cut.positions[t[1]] - p).cross(cut.positions[t[2]] - p);
+    const Vec3& p = positions[t[0]];
+    const Vec3 n = (positions[t[1]] - p).cross(positions[t[2]] - p);
     for (const std::int32_t v : t) normal[v] += n;
   }
   std::int32_t hint = -1;
@@ -90,8 +89,8 @@ std::vector<Vec3> carry_field(const CutAsset& cut, const CrackCurves& curves,
       values[v] /= count[v];
       continue;
     }
-    ClosestPoint::Hit hit = tree.find(cut.positions[v], {normal[v], match[v], hint});
-    if (hit.face < 0) hit = tree.find(cut.positions[v], {Vec3::Zero(), match[v], -1});
+    ClosestPoint::Hit hit = tree.find(positions[v], {normal[v], match[v], hint});
+    if (hit.face < 0) hit = tree.find(positions[v], {Vec3::Zero(), match[v], -1});
     hint = hit.face;
     if (hit.face < 0) continue;
     const Triangle& t = source.mesh.triangle(hit.face);

@@ -19,11 +19,12 @@ struct FieldSource {
   const std::vector<CrackSides>& sides;    ///< #curve edges
 };
 
-/// #V of cut. A vertex on a crack reads its own side of the crack, between the values at the curve
-/// edge's ends. Any other one reads the nearest point of the simulation's mesh, within the part
-/// that lies on the same sides of the same cracks as its own part of the asset, so never across one
-/// that goes all the way. Asset and simulation face the same way.
-std::vector<Vec3> carry_field(const CutAsset& cut, const CrackCurves& curves,
-                              const FieldSource& source);
+/// #V of cut. `positions`, #V of cut: where its vertices lie on the surface that the simulation's
+/// mesh was made from. A vertex on a crack reads its own side of the crack, between the values at
+/// the curve edge's ends. Any other one reads the nearest point of the simulation's mesh, within
+/// the part that lies on the same sides of the same cracks as its own part of the asset, so never
+/// across one that goes all the way. Asset and simulation face the same way.
+std::vector<Vec3> carry_field(const CutAsset& cut, const std::vector<Vec3>& positions,
+                              const CrackCurves& curves, const FieldSource& source);
 
 }  // namespace craze

@@ -95,11 +95,18 @@ CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const SimulatedCracks& c
   std::iota(places.begin(), places.end(), 0);
   const AssetTopology topology(asset.triangles, std::move(places));
   CrackedAsset result;
+  SurfaceMesh without_bumps;
+  const bool has_bumps = cracked.smooth && !cracked.smooth->empty();
+  if (has_bumps) {
+    without_bumps.positions = *cracked.smooth;
+    without_bumps.triangles = asset.triangles;
+  }
+  const SurfaceMesh& smooth = has_bumps ? without_bumps : asset;
   reached(0.2);
-  result.curves = crack_curves(cracked.network, asset, topology, cracked.asset_face);
+  result.curves = crack_curves(cracked.network, smooth, topology, cracked.asset_face);
   reached(0.3);
   const double near = snap < 0 ? snap_share * mean_length(cracked.network) : snap;
-  result.cut = cut_asset(asset, topology, result.curves, {near}, context);
+  result.cut = cut_asset(asset, topology, result.curves, {near, &smooth}, context);
   reached(0.6);
   // What lies on the asset's border was open before.
   std::vector<CutEdge>& edges = result.cut.edges;
@@ -111,8 +118,9 @@ CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const SimulatedCracks& c
   result.network = network_on(result.mesh, result.cut, cracked.network);
   const std::vector<CrackSides> sides =
       crack_sides_of(cracked.mesh, cracked.displacement, cracked.network);
-  result.displacement = carry_field(result.cut, result.curves,
-                                    {cracked.mesh, cracked.displacement, cracked.parts, sides});
+  result.displacement =
+      carry_field(result.cut, positions_on(result.cut, asset, smooth.positions), result.curves,
+                  {cracked.mesh, cracked.displacement, cracked.parts, sides});
   return result;
 }
 

@@ -22,6 +22,9 @@ struct SimulatedCracks {
   /// Per face of the surface that the simulation started with, which the network's faces number: an
   /// asset face that lies near it and on its side of any wall (remesh: source_faces).
   const std::vector<std::int32_t>& asset_face;
+  /// #V of the asset: its vertices on the surface that the simulation's mesh was made from, where
+  /// that has not the asset's bumps; null or empty: the asset itself.
+  const std::vector<Vec3>* smooth = nullptr;
 };
 
 struct CrackedAsset {
@@ -35,7 +38,8 @@ struct CrackedAsset {
 };
 
 /// The network as curves: each node at the nearest point of the asset, looked for from the face
-/// that its own is known to come from, so that it stays on its side of a thin wall.
+/// that its own is known to come from, so that it stays on its side of a thin wall. `asset` has its
+/// vertices on the surface that the network's was made from.
 CrackCurves crack_curves(const CrackNetwork& network, const SurfaceMesh& asset,
                          const AssetTopology& topology,
                          const std::vector<std::int32_t>& asset_face);

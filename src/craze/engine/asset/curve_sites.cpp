@@ -124,9 +124,8 @@ std::int32_t SiteTable::add_between(std::int32_t face, std::int32_t a, std::int3
   return add(face, {half(p.x, q.x), half(p.y, q.y)});
 }
 
-Vec3 SiteTable::position(std::int32_t site) const {
+Vec3 SiteTable::position(std::int32_t site, const std::vector<Vec3>& p) const {
   const Site& s = sites_[site];
-  const std::vector<Vec3>& p = asset_.positions;
   if (s.kind == SiteKind::place) return p[s.where];
   if (s.kind == SiteKind::edge) {
     const std::int32_t h = *topology_.sides(s.where).begin();

@@ -52,7 +52,9 @@ class SiteTable {
 
   std::int32_t count() const { return static_cast<std::int32_t>(sites_.size()); }
   const Site& operator[](std::int32_t site) const { return sites_[site]; }
-  Vec3 position(std::int32_t site) const;
+  Vec3 position(std::int32_t site) const { return position(site, asset_.positions); }
+  /// With the asset's places elsewhere, #V.
+  Vec3 position(std::int32_t site, const std::vector<Vec3>& places) const;
   /// Those inside an edge, from its lower place up.
   const std::vector<EdgeSite>& on_edge(std::int32_t edge) const {
     return of_edge_[edge] < 0 ? none_ : edge_sites_[of_edge_[edge]];

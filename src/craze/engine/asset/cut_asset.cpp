@@ -39,23 +39,23 @@ void check(const SurfaceMesh& asset, const CrackCurves& curves) {
 }
 
 double mean_chord(const CrackCurves& curves, const std::vector<std::int32_t>& points,
-                  const SiteTable& sites) {
+                  const SiteTable& sites, const std::vector<Vec3>& places) {
   double sum = 0;
   for (const auto& [a, b] : curves.edges) {
-    sum += (sites.position(points[a]) - sites.position(points[b])).norm();
+    sum += (sites.position(points[a], places) - sites.position(points[b], places)).norm();
   }
   return curves.edges.empty() ? 0 : sum / static_cast<double>(curves.edges.size());
 }
 
-/// How far along the curve edge's chord a point lies.
-double along(const CutAsset& cut, const std::array<std::int32_t, 2>& ends, std::int32_t v) {
-  const Vec3& a = cut.positions[cut.point_vertex[ends[0]]];
-  const Vec3& b = cut.positions[cut.point_vertex[ends[1]]];
-  return (cut.positions[v] - a).dot(b - a);
-}
-
-void find_edges(CutAsset& cut, const CrackCurves& curves, const std::vector<CurveLine>& lines,
-                const LineSides& sides) {
+/// `positions`: those of cut on the surface where the curves are straight.
+void find_edges(CutAsset& cut, const CrackCurves& curves, const std::vector<Vec3>& positions,
+                const std::vector<CurveLine>& lines, const LineSides& sides) {
+  // How far along the curve edge's chord a vertex lies.
+  const auto along = [&](const std::array<std::int32_t, 2>& ends, std::int32_t v) {
+    const Vec3& a = positions[cut.point_vertex[ends[0]]];
+    const Vec3& b = positions[cut.point_vertex[ends[1]]];
+    return (positions[v] - a).dot(b - a);
+  };
   std::vector<double> start(lines.size());  // of each edge, along its curve edge
   for (std::size_t k = 0; k < lines.size(); ++k) {
     CutEdge edge{lines[k].curve_edge, {-1, -1}};
@@ -63,11 +63,11 @@ void find_edges(CutAsset& cut, const CrackCurves& curves, const std::vector<Curv
       const std::int32_t h = sides.halfedges[s];
       const Triangle& t = cut.triangles[h / 3];
       const auto& ends = curves.edges[edge.curve_edge];
-      const bool forward = along(cut, ends, t[(h + 1) % 3]) > along(cut, ends, t[h % 3]);
+      const bool forward = along(ends, t[(h + 1) % 3]) > along(ends, t[h % 3]);
       std::int32_t& own = edge.side[forward ? 0 : 1];
       std::int32_t& other = edge.side[forward ? 1 : 0];
       (own < 0 ? own : other) = h;
-      start[k] = along(cut, ends, t[(forward ? h : h + 1) % 3]);
+      start[k] = along(ends, t[(forward ? h : h + 1) % 3]);
     }
     cut.edges.push_back(edge);
   }
@@ -90,7 +90,9 @@ CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
   SiteTable sites(asset, topology, options.snap);
   std::vector<std::int32_t> points;
   for (const SurfacePoint& p : curves.points) points.push_back(sites.at(p));
-  CurveTracer tracer(asset, topology, sites, mean_chord(curves, points, sites));
+  const SurfaceMesh& straight = options.straight_on ? *options.straight_on : asset;
+  CurveTracer tracer(straight, topology, sites,
+                     mean_chord(curves, points, sites, straight.positions));
   std::vector<CurvePiece> pieces;
   for (std::size_t e = 0; e < curves.edges.size(); ++e) {
     if (e % edges_between_looks == 0) context.check();
@@ -132,8 +134,19 @@ CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
   cut.new_vertices = std::move(refined.new_vertices);
   cut.face_source = std::move(refined.face_source);
   cut.parts = std::move(refined.parts);
-  find_edges(cut, curves, refined.lines, sides);
+  find_edges(cut, curves, positions_on(cut, asset, straight.positions), refined.lines, sides);
   return cut;
+}
+
+std::vector<Vec3> positions_on(const CutAsset& cut, const SurfaceMesh& asset,
+                               const std::vector<Vec3>& places) {
+  std::vector<Vec3> positions = places;
+  for (const SurfacePoint& at : cut.new_vertices) {
+    const Triangle& t = asset.triangles[at.face];
+    positions.push_back(at.weights[0] * places[t[0]] + at.weights[1] * places[t[1]] +
+                        at.weights[2] * places[t[2]]);
+  }
+  return positions;
 }
 
 }  // namespace craze

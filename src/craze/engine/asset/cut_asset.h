@@ -15,6 +15,9 @@ struct CutOptions {
   /// Length: a curve that passes a vertex, an edge's end or another curve's point so near goes
   /// through it, which saves slivers. At most a sixteenth of the edge or face at hand.
   double snap = 0;
+  /// The asset with its vertices on the surface where the curves are straight, such as one without
+  /// its bumps; null: the asset itself.
+  const SurfaceMesh* straight_on = nullptr;
 };
 
 /// An edge that the cut opened.
@@ -63,5 +66,9 @@ struct CutAsset {
 /// Throws Error(request) where a point names no face or an edge no point; Cancelled.
 CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
                    const CrackCurves& curves, const CutOptions& options, const Context& context);
+
+/// #V of cut: where its vertices lie on the asset with the asset's vertices at `places`, #V of it.
+std::vector<Vec3> positions_on(const CutAsset& cut, const SurfaceMesh& asset,
+                               const std::vector<Vec3>& places);
 
 }  // namespace craze

@@ -76,8 +76,8 @@ std::vector<double> tight_way(const Vec2& start, const std::vector<Door>& doors,
 }  // namespace
 
 SurfaceWay ShortestWay::find(std::int32_t from, std::int32_t to, double most) {
-  start_ = sites_.position(from);
-  target_ = sites_.position(to);
+  start_ = place_of(from);
+  target_ = place_of(to);
   most_ = most;
   reached_.clear();
   queue_ = {};

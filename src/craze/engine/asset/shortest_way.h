@@ -55,6 +55,7 @@ class ShortestWay {
   void reach(std::int32_t h, std::int32_t before, const Vec3& here, double cost);
   bool is_on(std::int32_t site, std::int32_t h) const;
   std::int32_t face_beyond(std::int32_t h) const;
+  Vec3 place_of(std::int32_t site) const { return sites_.position(site, asset_.positions); }
   Vec3 nearest_to_chord(std::int32_t h) const;
   void pull_tight(std::int32_t from, std::int32_t to, SurfaceWay& way) const;
 

@@ -49,7 +49,7 @@ void CurveTracer::trace(std::int32_t from, std::int32_t to, std::int32_t curve_e
     return;
   }
   const std::size_t before = pieces.size();
-  const double chord = (sites_.position(to) - sites_.position(from)).norm();
+  const double chord = (place_of(to) - place_of(from)).norm();
   const Vec3 a = normal(from), b = normal(to);
   const double walked = walk(from, to, a + b, curve_edge, pieces);
   if (walked <= direct_way * chord) return;
@@ -80,7 +80,7 @@ void CurveTracer::follow(const SurfaceWay& way, std::int32_t from, std::int32_t 
 double CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
                          std::int32_t curve_edge, std::vector<CurvePiece>& pieces) {
   const std::size_t before = pieces.size();
-  const Vec3 start = sites_.position(from), target = sites_.position(to);
+  const Vec3 start = place_of(from), target = place_of(to);
   const double most = longest_way * (target - start).norm();
   double length = 0;
   const auto fail = [&] {
@@ -92,10 +92,10 @@ double CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
   for (int step = 0; step < most_steps; ++step) {
     if (const std::int32_t f = sites_.common_face(site, to); f >= 0) {
       pieces.push_back({f, site, to, curve_edge});
-      return length + (target - sites_.position(site)).norm();
+      return length + (target - place_of(site)).norm();
     }
     if (step == 0 || sites_[site].kind == SiteKind::place) {  // a vertex may lie beside the plane
-      origin = sites_.position(site);
+      origin = place_of(site);
       const Vec3 way = (target - origin).stableNormalized();
       across = normal.stableNormalized().cross(way);
       if (across.norm() < least_slope) return fail();
@@ -106,7 +106,7 @@ double CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
     if (next.face < 0) return fail();
     const std::int32_t reached = sites_.on_halfedge(next.halfedge, next.share);
     if (reached == site) return fail();
-    length += (sites_.position(reached) - sites_.position(site)).norm();
+    length += (place_of(reached) - place_of(site)).norm();
     if (length > most) return fail();
     pieces.push_back({next.face, site, reached, curve_edge});
     site = reached;
@@ -120,7 +120,7 @@ double CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
 CurveTracer::Step CurveTracer::best_step(std::int32_t site, std::int32_t last_face,
                                          const Vec3& origin, const Vec3& across,
                                          const Vec3& target) const {
-  const Vec3 here = sites_.position(site), way = (target - here).stableNormalized();
+  const Vec3 here = place_of(site), way = (target - here).stableNormalized();
   const Site& s = sites_[site];
   Step best;
   Step along;  // to the corner most straight ahead, where the plane holds an edge

@@ -40,8 +40,9 @@ struct TraceReport {
 /// shorter, and what has none either is given up.
 class CurveTracer {
  public:
-  /// usual_chord: the mean length of curve edges. No way is longer than four times the chord, or
-  /// than four times this where the chord is shorter.
+  /// The asset's vertices may lie elsewhere than for `sites`: on the surface where the curves are
+  /// to be straight. usual_chord: the mean length of curve edges. No way is longer than four times
+  /// the chord, or than four times this where the chord is shorter.
   CurveTracer(const SurfaceMesh& asset, const AssetTopology& topology, SiteTable& sites,
               double usual_chord);
 
@@ -64,6 +65,7 @@ class CurveTracer {
               std::vector<CurvePiece>& pieces);
   Step best_step(std::int32_t site, std::int32_t last_face, const Vec3& origin, const Vec3& across,
                  const Vec3& target) const;
+  Vec3 place_of(std::int32_t site) const { return sites_.position(site, asset_.positions); }
   Vec3 area_normal(std::int32_t face) const;
   Vec3 normal(std::int32_t site) const;
 

@@ -21,7 +21,8 @@ SurfaceMesh read_stl(const MeshSource& source);
 /// Whether the size is that of a binary file, or the text begins with "solid".
 bool is_stl(std::string_view bytes);
 
-/// The triangles as binary STL, in single precision; a triangle without area has normal zero.
+/// The triangles as binary STL, in single precision; a triangle without area has normal zero. The
+/// face attributes red, green and blue, 0 … 255, become VisCAM's colours, of five bits each.
 /// Warns, with the loss measured, where that moves vertices by more than 10⁻⁶ of the mesh's size.
 /// Throws Error(request) where a coordinate is too large for that.
 std::string format_stl(const SurfaceMesh& mesh, const MeshFileOptions& options = {},

@@ -1,0 +1,60 @@
+#include "craze/output/lost_data.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "craze/io/source_scene.h"
+
+namespace craze {
+
+namespace {
+
+/// Attributes that every run adds.
+constexpr std::array<std::string_view, 7> added{"crack_distance", "crack_time", "crack_growth",
+                                                "displacement",   "openness",   "fragment",
+                                                "source_face"};
+
+bool counts(const SourceScene* scene, std::string_view kind) {
+  if (!scene) return false;
+  const std::vector<SceneContent> contents = scene->contents();
+  return std::any_of(contents.begin(), contents.end(),
+                     [&](const SceneContent& content) { return content.kind == kind; });
+}
+
+void name_attributes(const std::vector<Attribute>& attributes, const char* of, bool without_colors,
+                     std::vector<std::string>& lost) {
+  for (const Attribute& a : attributes) {
+    if (std::find(added.begin(), added.end(), a.name) != added.end()) continue;
+    const bool is_color = a.name == "red" || a.name == "green" || a.name == "blue";
+    if (without_colors && is_color) continue;
+    lost.push_back(std::string(of) + " attribute '" + a.name + "'");
+  }
+}
+
+}  // namespace
+
+std::string describe_lost_data(const SurfaceMesh& surface, std::string_view format,
+                               const SourceScene* scene) {
+  const bool is_stl = format == "stl", is_obj = format == "obj", is_glb = format == "glb";
+  std::vector<std::string> lost;
+  if (is_stl) {
+    if (!surface.corner_uvs.empty()) lost.emplace_back("texture coordinates");
+    if (!surface.corner_normals.empty()) lost.emplace_back("normals of vertices");
+    if (!surface.vertex_colors.empty()) lost.emplace_back("colours of vertices");
+    if (!surface.face_materials.empty() && !counts(scene, "materials")) {
+      lost.emplace_back("materials");
+    }
+  }
+  if ((is_stl || is_obj) && !counts(scene, "vertex attributes of its own")) {
+    name_attributes(surface.vertex_attributes, "vertex", false, lost);
+  }
+  if (is_stl || is_obj || is_glb) name_attributes(surface.face_attributes, "face", is_stl, lost);
+  if (lost.empty()) return {};
+  std::string sentence = "not kept of the surface, since ." + std::string(format);
+  sentence += " has no place for them: " + lost[0];
+  for (std::size_t i = 1; i < lost.size(); ++i) sentence += ", " + lost[i];
+  return sentence;
+}
+
+}  // namespace craze

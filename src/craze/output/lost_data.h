@@ -1,0 +1,19 @@
+// What of a surface's data a file format has no place for.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "craze/surface_mesh.h"
+
+namespace craze {
+
+class SourceScene;  // read_mesh.h
+
+/// One sentence that names what the surface has and a file of that format ("obj") has not; empty
+/// where all is kept. Left out of it: what every run adds to a surface (docs/outputs.md), and what
+/// `scene`, which may be null, counts among its own contents and is told of by the writer.
+std::string describe_lost_data(const SurfaceMesh& surface, std::string_view format,
+                               const SourceScene* scene);
+
+}  // namespace craze

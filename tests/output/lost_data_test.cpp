@@ -1,0 +1,70 @@
+// What is attached to a surface is kept by a file or named.
+#include "craze/output/lost_data.h"
+
+#include <gtest/gtest.h>
+
+#include "craze/io/source_scene.h"
+
+namespace craze {
+namespace {
+
+class Scene : public SourceScene {
+ public:
+  std::vector<SceneContent> contents() const override {
+    return {{"materials", {"clay"}}, {"vertex attributes of its own", {"wear"}}};
+  }
+};
+
+SurfaceMesh full() {
+  SurfaceMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.corner_uvs.assign(3, Vec2::Zero());
+  mesh.corner_normals.assign(3, Vec3::UnitZ());
+  mesh.vertex_colors.assign(3, Color{1, 1, 1, 1});
+  mesh.face_materials = {0};
+  mesh.material_names = {"clay"};
+  mesh.vertex_attributes = {{"wear", 1, {0, 0, 0}}, {"crack_time", 1, {0, 0, 0}}};
+  mesh.face_attributes = {
+      {"red", 1, {0}}, {"green", 1, {0}}, {"blue", 1, {0}}, {"zone", 1, {7}}, {"fragment", 1, {0}}};
+  return mesh;
+}
+
+TEST(LostData, IsNamedForEachFormatThatHasNoPlaceForIt) {
+  const std::string all = "not kept of the surface, since ";
+  EXPECT_EQ(describe_lost_data(full(), "stl", nullptr),
+            all +
+                ".stl has no place for them: texture coordinates, normals of vertices, colours "
+                "of vertices, materials, vertex attribute 'wear', face attribute 'zone'");
+  EXPECT_EQ(describe_lost_data(full(), "obj", nullptr),
+            all +
+                ".obj has no place for them: vertex attribute 'wear', face attribute 'red', face "
+                "attribute 'green', face attribute 'blue', face attribute 'zone'");
+  EXPECT_EQ(describe_lost_data(full(), "glb", nullptr),
+            all +
+                ".glb has no place for them: face attribute 'red', face attribute 'green', face "
+                "attribute 'blue', face attribute 'zone'");
+  for (const char* format : {"ply", "usda"}) {
+    EXPECT_EQ(describe_lost_data(full(), format, nullptr), "") << format;
+  }
+}
+
+TEST(LostData, OfASceneThatIsToldOfElsewhereIsNotNamedTwice) {
+  const Scene scene;
+  const std::string lost = describe_lost_data(full(), "stl", &scene);
+  EXPECT_EQ(lost.find("materials"), std::string::npos) << lost;
+  EXPECT_EQ(lost.find("wear"), std::string::npos) << lost;
+  EXPECT_NE(lost.find("zone"), std::string::npos) << lost;
+}
+
+TEST(LostData, OfASurfaceWithoutAnyIsNone) {
+  SurfaceMesh bare;
+  bare.positions = full().positions;
+  bare.triangles = full().triangles;
+  for (const char* format : {"stl", "obj", "glb", "ply", "usda"}) {
+    EXPECT_EQ(describe_lost_data(bare, format, nullptr), "") << format;
+  }
+}
+
+}  // namespace
+}  // namespace craze
