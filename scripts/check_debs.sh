@@ -4,6 +4,7 @@
 # it depends on and nothing else, so that what it forgot to ask for is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+[ -f web/dist/index.html ] || (cd web && npm ci --no-audit --no-fund && npm run build)
 debs=build/debs root=$(mktemp -d)
 trap 'rm -rf "$root"' EXIT
 
@@ -25,7 +26,10 @@ in_root "apt-get update -qq"
 install ./craze_*.deb
 in_root "craze crack shape:cup -o cup.ply --picture cup.png --width 80 --height 60 --quiet
   test -s cup.ply && test -s cup.png
-  test -s /usr/share/man/man1/craze.1.gz"
+  test -s /usr/share/man/man1/craze.1.gz
+  test -s /usr/share/craze/studio/index.html
+  craze studio --no-browser > studio.txt & sleep 2; kill -INT \$!; wait \$! || test \$? = 130
+  grep -q http://127.0.0.1: studio.txt"
 install ./python3-craze_*.deb
 in_root "python3 consumer.py"
 install ./libcraze0_*.deb ./libcraze-dev_*.deb gcc libc6-dev

@@ -8,6 +8,7 @@ packages=(
   libeigen3-dev libtbb-dev libfmt-dev                # linear algebra, threads, text
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev # command line, recipes, reports
   libembree-dev libpng-dev libjpeg-dev               # pictures
+  libcpp-httplib-dev pkg-config                      # craze studio
   python3-numpy                                      # the Python package
   libgtest-dev librapidcheck-dev libassimp-dev       # tests; assimp reads back what craze writes
 )
@@ -19,6 +20,7 @@ development=(
   libbenchmark-dev
   libopenexr-dev                                     # reads back the maps that craze writes
   emscripten nodejs                                  # WebAssembly
+  chromium                                           # the page's tests
   lintian mmdebstrap                                 # Debian packages
   blender xvfb xauth                                 # the add-on, in a window too
 )

@@ -56,6 +56,7 @@ int run_command(int argc, char** argv, MessageStyle style) {
   add_dataset(app, action);
   add_sweep(app, action);
   add_figures(app, action);
+  add_studio(app, action);
   add_presets(app, action);
   add_parameters(app, action);
   if (argc > 1) check_verb(app, argv[1]);

@@ -70,6 +70,8 @@ struct craze_job {
   int threads = 0;
   craze_progress progress = nullptr;
   void* user = nullptr;
+  craze_opened opened = nullptr;
+  void* opened_user = nullptr;
   std::optional<craze::Result> result;
   std::shared_ptr<const craze::SourceFile> cracked_source;  // of what the result was made of
 };

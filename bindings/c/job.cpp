@@ -8,6 +8,7 @@
 #include "craze/recipe/set_key.h"
 #include "guard.h"
 #include "handles.h"
+#include "opened_pieces.h"
 
 using namespace craze;
 using namespace craze::c;
@@ -142,14 +143,23 @@ void craze_job_set_progress(craze_job* job, craze_progress progress, void* user)
   job->user = user;
 }
 
+void craze_job_set_opened(craze_job* job, craze_opened opened, void* user) {
+  if (!job) return;
+  job->opened = opened;
+  job->opened_user = user;
+}
+
 craze_status craze_job_run(craze_job* job, craze_error* error) {
   return guard(error, [&] {
     require(job, "job");
     if (!job->mesh) wrong_argument("nothing to crack", "craze_job_run", "set a mesh first");
     CrackOptions options = job->options;
     options.on_cancel = OnCancel::discard;
+    OpenedPieces pieces(job->opened, job->opened_user);
+    if (job->opened) options.on_opened = [&](const OpenedPiece& piece) { pieces.add(piece); };
     const CallbackContext context(*job);
     job->result = crack({job->mesh, job->textures, "mesh"}, job->recipe, options, context.get());
+    pieces.tell();
     job->cracked_source = job->source;
   });
 }

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "callback_context.h"
+#include "craze/io/lines/write_lines.h"
+#include "craze/products/field_mesh.h"
 #include "craze/products/report_json.h"
 #include "guard.h"
 #include "handles.h"
@@ -102,6 +104,13 @@ craze_mesh* craze_job_cut_mesh(const craze_job* job, craze_error* error) {
   });
 }
 
+craze_mesh* craze_job_fields(const craze_job* job, craze_error* error) {
+  return guarded(error, [&] {
+    const Result& result = result_of(job);
+    return new craze_mesh(field_mesh(result, CallbackContext(*job).get()));
+  });
+}
+
 craze_lines* craze_job_lines(const craze_job* job, craze_error* error) {
   return guarded(error, [&] {
     const Result& result = result_of(job);
@@ -116,6 +125,14 @@ craze_status craze_lines_array(const craze_lines* lines, const char* name, craze
     require(name, "name");
     require(array, "array");
     view_lines(*array, lines->lines, name);
+  });
+}
+
+craze_status craze_lines_write(const craze_lines* lines, const char* path, craze_error* error) {
+  return guard(error, [&] {
+    require(lines, "lines");
+    require(path, "path");
+    write_lines(path, lines->lines, {}, {});
   });
 }
 

@@ -130,6 +130,12 @@ CRAZE_API craze_status craze_mesh_set_materials(craze_mesh* mesh, const int32_t*
                                                 const char* const* names, int64_t count,
                                                 craze_error* error);
 
+/* Normals to look at it by, as GLB is written with: its own where it has some, else smooth ones but
+ * for edges sharper than `crease` degrees (75 is usual); neither cracks nor gaps of a run leave a
+ * mark. Writes 3 m rows of x y z, unit: corner i of face f at 3 f + i. */
+CRAZE_API craze_status craze_mesh_shading(const craze_mesh* mesh, double crease, double* normals,
+                                          craze_error* error);
+
 /* A view of what is known: "vertices" (n, 3) float64, "faces" (m, 3) int32, "source_faces" (m, 1)
  * int32, "materials" (m, 1) int32, "colors" (n, 4) float32, and the names that craze_mesh_set
  * takes. CRAZE_USAGE where the mesh has no such thing. */
@@ -199,6 +205,13 @@ CRAZE_API craze_status craze_job_set_max_cracks(craze_job* job, int64_t max_crac
 /* Asked by craze_job_run and by what makes products of the job. */
 CRAZE_API void craze_job_set_progress(craze_job* job, craze_progress progress, void* user);
 
+/* Called by craze_job_run from its thread with the pieces of crack that have opened since the last
+ * time, about twenty times a second while some do and when it is done: `count` rows of x y z x y z,
+ * both ends on the mesh that the simulation runs on. `first` is the number of the first of them;
+ * with 0 the pattern begins anew (evolution.cycles, layer.rounds). It must not use the handle. */
+typedef void (*craze_opened)(void* user, int64_t first, const double* pieces, int64_t count);
+CRAZE_API void craze_job_set_opened(craze_job* job, craze_opened opened, void* user);
+
 /* Cracks the mesh. May be called again, with another recipe or mesh; products made before stay. */
 CRAZE_API craze_status craze_job_run(craze_job* job, craze_error* error);
 
@@ -208,11 +221,22 @@ CRAZE_API craze_status craze_job_run(craze_job* job, craze_error* error);
  * "vertex:displacement", "face:fragment", "face:source_face" are as in docs/outputs.md. */
 CRAZE_API craze_mesh* craze_job_cut_mesh(const craze_job* job, craze_error* error);
 
+/* The mesh that the cracks grew on, cut, with the state that was reached, of the last cycle and
+ * round: face:s1 s2 dx dy dz, the principal stresses, force per length, and the direction of the
+ * first; vertex:fx fy fz, forces; vertex:v nx ny nz v2, the separation tensor's largest value, its
+ * direction and the other value; vertex:r, the residual at tips; vertex:ux uy uz, displacements;
+ * and what else craze crack --fields writes. */
+CRAZE_API craze_mesh* craze_job_fields(const craze_job* job, craze_error* error);
+
 /* The cracks as a graph: "points" (p, 3) float64, "edges" (e, 2) int32, "uv" (2 e, 2), and
  * "point:NAME" (junction, normal) and "edge:NAME" (time, width, event). */
 CRAZE_API craze_lines* craze_job_lines(const craze_job* job, craze_error* error);
 CRAZE_API craze_status craze_lines_array(const craze_lines* lines, const char* name,
                                          craze_array* array, craze_error* error);
+/* Writes .ply .obj .json .svg, the whole file or none. CRAZE_REQUEST where a format cannot hold
+ * them: an SVG wants a plane or UVs. */
+CRAZE_API craze_status craze_lines_write(const craze_lines* lines, const char* path,
+                                         craze_error* error);
 CRAZE_API void craze_lines_free(craze_lines* lines);
 
 /* JSON; free with craze_text_free. The report is that of the command; the statistics are part of

@@ -9,6 +9,7 @@
 
 #include "craze/context.h"
 #include "craze/grey_image.h"
+#include "craze/opened_piece.h"
 #include "craze/recipe.h"
 #include "craze/report.h"
 #include "craze/surface_mesh.h"
@@ -32,6 +33,7 @@ struct CrackOptions {
   /// Crack events to stop after; unlike evolution.max_cracks, 0 means none: the initial state.
   std::optional<std::int64_t> max_cracks;
   OnCancel on_cancel = OnCancel::keep;
+  OnOpened on_opened = {};  ///< told of each piece of crack when it has opened
 };
 
 struct CrackedSurface;

@@ -43,7 +43,7 @@ class CommandTest : public testing::Test {
     const std::string err = (folder_ / "err").string();
     const pid_t process = fork();
     if (process != 0) return process;
-    std::vector<char*> argv{const_cast<char*>(CRAZE_COMMAND)};
+    std::vector<char*> argv{command_.data()};
     for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
     argv.push_back(nullptr);
     const int out_file = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
@@ -51,7 +51,7 @@ class CommandTest : public testing::Test {
     if (chdir((folder_ / "run").c_str()) != 0 || dup2(out_file, 1) < 0 || dup2(err_file, 2) < 0) {
       _exit(99);
     }
-    execv(CRAZE_COMMAND, argv.data());
+    execv(command_.c_str(), argv.data());
     _exit(98);
   }
 
@@ -75,6 +75,7 @@ class CommandTest : public testing::Test {
   }
 
   TemporaryFolder folder_;
+  std::string command_ = CRAZE_COMMAND;
 };
 
 }  // namespace craze

@@ -53,6 +53,26 @@ static int stop_at_once(void* user, const char* phase, double fraction, int64_t 
   return 1;
 }
 
+typedef struct pieces_heard {
+  int64_t calls, next;
+  double length;
+} pieces_heard;
+
+/* Pieces come in their order, without gaps, and lie on the plate. */
+static void hear_pieces(void* user, int64_t first, const double* pieces, int64_t count) {
+  pieces_heard* heard = user;
+  int64_t i;
+  ++heard->calls;
+  EXPECT(first == heard->next);
+  EXPECT(count > 0);
+  heard->next = first + count;
+  for (i = 0; i < 6 * count; ++i) EXPECT(fabs(pieces[i]) <= 0.5);
+  for (i = 0; i < count; ++i) {
+    const double* p = pieces + 6 * i;
+    heard->length += hypot(p[3] - p[0], p[4] - p[1]);
+  }
+}
+
 static void a_text(char* text, const char* holds) {
   EXPECT(text != NULL);
   if (text) EXPECT(strstr(text, holds) != NULL);
@@ -209,6 +229,8 @@ static void the_lines_say_where_the_cracks_are(craze_job* job) {
   EXPECT_ERROR(craze_statistics(NULL, 1, edges.data, 0, NULL, 0, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_statistics(points.data, points.rows, edges.data, edges.rows, NULL, -1, e),
                CRAZE_USAGE);
+  EXPECT_ERROR(craze_lines_write(lines, "/nowhere/lines.svg", e), CRAZE_OUTPUT);
+  EXPECT_ERROR(craze_lines_write(lines, NULL, e), CRAZE_USAGE);
   craze_lines_free(lines);
   craze_lines_free(NULL);
 }
@@ -282,10 +304,45 @@ static void fragments_are_meshes(const craze_mesh* cut) {
   free(pieces);
 }
 
+static void fields_are_those_of_the_state(craze_job* job) {
+  craze_array s1, s2, sxx, syy, v, r, faces;
+  int64_t f;
+  craze_mesh* fields = craze_job_fields(job, NULL);
+  EXPECT(craze_mesh_array(fields, "faces", &faces, NULL) == CRAZE_OK);
+  EXPECT(craze_mesh_array(fields, "face:s1", &s1, NULL) == CRAZE_OK);
+  EXPECT(craze_mesh_array(fields, "face:s2", &s2, NULL) == CRAZE_OK);
+  EXPECT(craze_mesh_array(fields, "face:s_xx", &sxx, NULL) == CRAZE_OK);
+  EXPECT(craze_mesh_array(fields, "face:s_yy", &syy, NULL) == CRAZE_OK);
+  EXPECT(craze_mesh_array(fields, "vertex:v", &v, NULL) == CRAZE_OK);
+  EXPECT(craze_mesh_array(fields, "vertex:r", &r, NULL) == CRAZE_OK);
+  EXPECT(s1.rows == faces.rows && v.rows == r.rows);
+  for (f = 0; f < s1.rows; ++f) {
+    const double a = ((const double*)s1.data)[f], b = ((const double*)s2.data)[f];
+    const double trace = ((const double*)sxx.data)[f] + ((const double*)syy.data)[f];
+    EXPECT(a >= b);
+    EXPECT(fabs(a + b - trace) <= 1e-9 * (1 + fabs(trace)));
+  }
+  craze_mesh_free(fields);
+}
+
+static void a_mesh_is_shaded(const craze_mesh* cut) {
+  craze_array faces;
+  double* normals;
+  int64_t i;
+  craze_error error;
+  EXPECT(craze_mesh_array(cut, "faces", &faces, NULL) == CRAZE_OK);
+  normals = malloc((size_t)(9 * faces.rows) * sizeof *normals);
+  EXPECT_ERROR(craze_mesh_shading(cut, -1, normals, e), CRAZE_USAGE);
+  EXPECT(craze_mesh_shading(cut, 75, normals, &error) == CRAZE_OK);
+  for (i = 0; i < 3 * faces.rows; ++i) EXPECT(fabs(fabs(normals[3 * i + 2]) - 1) < 1e-9);
+  free(normals);
+}
+
 static void a_run_gives_what_it_should(void) {
   craze_error error;
   craze_array before, after;
   int calls = 0;
+  pieces_heard heard = {0, 0, 0};
   craze_mesh* cut;
   craze_mesh* plate = craze_mesh_shape("plate?n=6&jitter=0.3", &error);
   craze_job* job = craze_job_new();
@@ -306,8 +363,13 @@ static void a_run_gives_what_it_should(void) {
   EXPECT_ERROR(craze_job_run(job, e), CRAZE_CANCELLED);
   EXPECT_ERROR(craze_job_report(job, e), CRAZE_USAGE);
   craze_job_set_progress(job, count_calls, &calls);
+  craze_job_set_opened(NULL, NULL, NULL);
+  craze_job_set_opened(job, hear_pieces, &heard);
   EXPECT(craze_job_run(job, NULL) == CRAZE_OK);
   EXPECT(calls > 0);
+  craze_job_set_opened(job, NULL, NULL);
+  EXPECT(heard.calls > 0 && heard.next >= 4 && heard.length > 0);
+  fields_are_those_of_the_state(job);
   a_text(craze_job_report(job, NULL), "\"statistics\"");
   a_text(craze_job_summary(job, NULL), "\"stop_reason\"");
   a_text(craze_job_statistics(job, NULL), "{");
@@ -315,6 +377,7 @@ static void a_run_gives_what_it_should(void) {
   maps_are_baked(job);
   cracks_open_and_grow(job);
   cut = craze_job_cut_mesh(job, NULL);
+  a_mesh_is_shaded(cut);
   EXPECT(craze_mesh_array(cut, "vertex:crack_time", &before, NULL) == CRAZE_OK);
   EXPECT(craze_mesh_array(cut, "face:fragment", &after, NULL) == CRAZE_OK);
   craze_job_set_progress(job, stop_at_once, NULL);

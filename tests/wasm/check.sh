@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Builds cracked_presets for WebAssembly in FOLDER and compares what it prints under node with what
-# NATIVE prints: check.sh NATIVE FOLDER. Skipped (77) where em++ or node is missing.
+# Builds cracked_presets for WebAssembly in build/wasm, where the page's engine is built too, and
+# compares what it prints under node with what NATIVE prints: check.sh NATIVE. Skipped (77) where
+# em++ or node is missing.
 set -euo pipefail
-native=$(realpath "$1") folder=$2
+native=$(realpath "$1") folder=build/wasm
 for program in em++ node; do
   if ! command -v "$program" > /dev/null; then
     echo "no $program"
@@ -14,8 +15,8 @@ done
 export NODE_PATH=${NODE_PATH:+$NODE_PATH:}/usr/share/nodejs
 
 cd "$(dirname "$0")/../.."
-cmake --preset wasm -B "$folder"
-cmake --build "$folder" --target cracked_presets --parallel "$(nproc)"
+cmake --preset wasm
+cmake --build --preset wasm --target cracked_presets --parallel "$(nproc)"
 "$native" > "$folder/native.txt"
 node "$folder/tests/wasm/cracked_presets.js" > "$folder/wasm.txt"
 diff "$folder/native.txt" "$folder/wasm.txt"

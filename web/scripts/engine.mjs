@@ -17,7 +17,7 @@ function build() {
   const cmake = (...options) =>
     execFileSync("cmake", options, { cwd: root, env: environment, stdio: "inherit" });
   cmake("--preset", "wasm");
-  cmake("--build", "build/wasm", "--target", "craze_wasm");
+  cmake("--build", "--preset", "wasm", "--target", "craze_wasm");
   return join(root, "build/wasm/bindings/wasm");
 }
 

@@ -1,4 +1,5 @@
 import "./ui/style.css";
+import { keepForOffline } from "./offline/register";
 import { restore } from "./project/autosave";
 import { fromHash, projectOf } from "./project/link";
 import { firstProject, type Project } from "./project/project";
@@ -39,6 +40,7 @@ try {
   const { project, file, problem } = await findOrBegin();
   const studio = new Studio(view, project, file);
   await studio.start(problem);
+  keepForOffline(); // after all that the page itself needs
 } catch (error) {
   const sentence = document.createElement("p");
   sentence.role = "alert";

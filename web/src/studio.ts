@@ -1,23 +1,25 @@
 // The page at work: a change of the project becomes a run, an opening or nothing of the kind.
 import { Engine } from "./engine/engine";
 import { CrazeError } from "./engine/memory";
-import type { CrackRequest, Input, Post } from "./engine/messages";
+import type { CrackRequest, Input, Post, Summary } from "./engine/messages";
 import { Cancelled } from "./engine/worker_client";
-import { canvasOf, type Canvas } from "./paint/brush";
+import { Exporting } from "./exporting";
 import { BrushTool } from "./paint/brush_tool";
-import { layers } from "./paint/layers";
+import { canvasOf, type Canvas } from "./paint/canvas";
+import { paintedAttributes } from "./paint/layers";
 import { Painting } from "./paint/painting";
 import { saveFile, saveProject } from "./project/autosave";
 import { projectOf, toHash } from "./project/link";
 import { cracksOtherwise, opensOtherwise, type LayerName, type Project } from "./project/project";
 import type { Stroke } from "./project/project";
-import { changedKeys, commandLine, paintedLayers } from "./project/recipe";
+import { changedKeys, commandLine } from "./project/recipe";
 import { Store } from "./project/store";
 import { presetTable } from "./project/tables";
 import { Growth } from "./scene/growth";
 import { Stage } from "./scene/stage";
+import { Seeing } from "./seeing";
 import { acceptDrops, chooseFile, download } from "./ui/hand_over";
-import { Panel, type Paint } from "./ui/panel";
+import { Panel, type Actions, type Paint } from "./ui/panel";
 
 const accepted = ".obj,.ply,.stl,.off,.glb,.craze";
 const paintColors: Record<LayerName, number> = {
@@ -39,6 +41,8 @@ export class Studio {
   private readonly panel: Panel;
   private readonly growth: Growth;
   private readonly brush: BrushTool;
+  private readonly seeing: Seeing;
+  private readonly exporting: Exporting;
   private surface: { canvas: Canvas; triangles: Uint32Array; painting: Painting } | null = null;
   private layer: LayerName | null = null;
   private cracked = false; // whether there is a result to open
@@ -51,7 +55,12 @@ export class Studio {
     this.store = new Store(project);
     this.stage = new Stage(view.querySelector("canvas")!);
     this.growth = new Growth(this.engine, this.stage, (time) => this.panel.growth.show(time));
-    this.panel = new Panel({
+    this.exporting = new Exporting(this.engine, this.stage, this.growth, {
+      request: () => this.request(),
+      post: () => this.post(),
+    });
+    this.seeing = new Seeing(this.engine, this.stage, this.store, (body) => this.attempt(body));
+    const actions: Actions = {
       open: () => chooseFile(accepted, (file) => void this.take(file)),
       crack: () => void this.crack(),
       cancel: () => this.engine.cancel(),
@@ -66,13 +75,17 @@ export class Studio {
       change: (change) => this.store.change(change),
       growth: (time) => void this.growth.show(time),
       paint: (paint) => this.choosePaint(paint),
-      fragments: (shown) => this.stage.showFragments(shown),
-    });
+      fill: () => this.paintAll("fill"),
+      invert: () => this.paintAll("invert"),
+    };
+    const { panel, statistics } = this.seeing;
+    this.panel = new Panel(actions, { see: panel.root, statistics: statistics.root });
     view.after(this.panel.root);
     this.brush = new BrushTool(this.stage.viewer, {
       settings: () => ({
         size: this.panel.brushSize.value,
         strength: this.panel.brushStrength.value,
+        along: this.panel.along.input.checked,
         erase: this.panel.erase.input.checked,
         mirror: this.panel.mirror.input.checked,
       }),
@@ -85,6 +98,7 @@ export class Studio {
     document.addEventListener("keydown", (event) => this.key(event));
     this.engine.onProgress = ({ phase, fraction, cracks }) =>
       this.panel.tell(cracks > 0 ? `${phase}: ${cracks} cracks` : phase, fraction);
+    this.engine.onOpened = (pieces) => this.stage.addLive(pieces);
     this.store.onChange((now, before) => void this.follow(now, before));
   }
 
@@ -100,7 +114,7 @@ export class Studio {
     if (now.source !== before.source) await this.showInput();
     this.refresh();
     if (cracksOtherwise(now, before)) await this.crack();
-    else if (opensOtherwise(now, before)) await this.attempt(() => this.open(1));
+    else if (opensOtherwise(now, before)) await this.attempt(() => this.open(1, false));
   }
 
   private refresh(): void {
@@ -124,6 +138,7 @@ export class Studio {
       this.stage.setInput(mesh, canvas.low, canvas.size);
       this.brush.setSurface(canvas, triangles);
       this.cracked = false;
+      this.seeing.clear();
       this.refresh();
       this.panel.tell(mesh.warnings.join(" "));
     });
@@ -133,26 +148,37 @@ export class Studio {
     await this.attempt(async () => {
       const began = performance.now();
       this.panel.tell("start", null);
-      const summary = await this.engine.crack(this.request());
+      const summary = await this.run();
       this.cracked = true;
       const seconds = ((performance.now() - began) / 1000).toFixed(2);
-      await this.open(0);
+      const live = this.stage.isLive; // they were seen growing already
+      await this.open(live ? 1 : 0, true);
       const warnings = summary.warnings.length > 0 ? ` ${summary.warnings.join(" ")}` : "";
       this.panel.tell(
         `${summary.cracks} cracks, ${summary.fragments} fragments in ${seconds} s.${warnings}`,
       );
-      void this.growth.play();
+      if (!live) void this.growth.play();
     });
   }
 
-  /** Opens the last result and shows it at a time of its growth. */
-  private async open(time: number): Promise<void> {
+  private async run(): Promise<Summary> {
+    try {
+      return await this.engine.crack(this.request());
+    } catch (error) {
+      if (!this.engine.isRunning) this.stage.endLive();
+      throw error;
+    }
+  }
+
+  /** Opens the last result and shows it at a time of its growth; `anew`: for the first time. */
+  private async open(time: number, anew: boolean): Promise<void> {
     if (!this.cracked) return;
     const picture = await this.engine.open(this.post());
     this.stage.setPicture(picture);
     if (picture.warnings.length > 0) this.panel.tell(picture.warnings.join(" "));
     this.growth.setOpened(this.store.project.gap !== 0 || this.store.project.curl !== 0);
     await this.growth.show(time);
+    await this.seeing.show(picture, anew);
   }
 
   private input(): Input {
@@ -166,10 +192,7 @@ export class Studio {
     const { project } = this.store;
     const painting = this.surface?.painting;
     painting?.follow(project.strokes);
-    const painted = paintedLayers(project).map((name) => ({
-      name: layers[name].attribute,
-      values: Float32Array.from(painting!.values(name), layers[name].value),
-    }));
+    const painted = painting ? paintedAttributes(project, painting) : [];
     const recipe = { preset: project.preset, set: changedKeys(project) };
     return { input: this.input(), painted, recipe };
   }
@@ -185,8 +208,19 @@ export class Studio {
     this.showPaint();
   }
 
+  /** The whole surface at once; what the brush is set to holds for it. */
+  private paintAll(kind: "fill" | "invert"): void {
+    const { panel, layer, store } = this;
+    if (!layer) return;
+    const strength = Math.round(100 * panel.brushStrength.value);
+    const erase = panel.erase.input.checked;
+    const whole = { kind, layer, strength, erase, along: false, mirror: false };
+    const stroke: Stroke = { ...whole, radius: 0, dabs: [] };
+    store.change({ strokes: [...store.project.strokes, stroke] });
+  }
+
   private showPaint(): void {
-    const values = this.layer ? (this.surface?.painting.values(this.layer) ?? null) : null;
+    const values = this.layer ? (this.surface?.painting.seen(this.layer) ?? null) : null;
     this.stage.showPaint(values, this.layer ? paintColors[this.layer] : 0);
   }
 
@@ -234,10 +268,7 @@ export class Studio {
 
   private async exportFile(format: string): Promise<void> {
     this.panel.tell("write", null);
-    const files =
-      format === "painted.ply"
-        ? await this.engine.paintedInput(this.request(), "painted.ply")
-        : await this.engine.write(`cracked.${format}`, this.post());
+    const files = await this.exporting.files(format);
     for (const { name, bytes } of files) download(name, bytes);
     this.panel.tell(`${files.map(({ name }) => name).join(", ")} written.`);
   }

@@ -15,17 +15,17 @@ const shapes = ["plate?n=30&jitter=0.3", "cup?n=48"];
 const coarse = 0.25; // spacing: what is compared are bits, and few triangles have all kinds of them
 const hash = (bytes) => createHash("sha256").update(bytes).digest("hex");
 
-let Session, firstProject, recipe, canvasOf, Painting, layers, folder;
+let Session, firstProject, recipe, canvasOf, Painting, paintedAttributes, folder;
 before(async () => {
   const modules = await pageModules([
     "engine/session",
     "project/project",
     "project/recipe",
-    "paint/brush",
+    "paint/canvas",
     "paint/painting",
     "paint/layers",
   ]);
-  [{ Session }, { firstProject }, recipe, { canvasOf }, { Painting }, { layers }] = modules;
+  [{ Session }, { firstProject }, recipe, { canvasOf }, { Painting }, { paintedAttributes }] = modules;
   folder = mkdtempSync(join(tmpdir(), "craze-"));
 });
 after(() => rmSync(folder, { recursive: true }));
@@ -58,7 +58,7 @@ for (const specification of shapes) {
   }
 }
 
-for (const format of ["ply", "obj"]) {
+for (const format of ["ply", "obj", "glb", "usda"]) {
   test(`an opened mesh with walls gives the command's ${format}`, { skip }, async () => {
     const source = { kind: "shape", specification: shapes[1] };
     const open = { gap: 0.05, wall: 0.01, curl: 0.5 };
@@ -69,21 +69,65 @@ for (const format of ["ply", "obj"]) {
   });
 }
 
-test("what was painted gives the command's bytes, by the exported input", { skip }, async () => {
+test("shut cracks are lines in GLB, as the command writes them", { skip }, async () => {
+  const source = { kind: "shape", specification: shapes[1] };
+  const project = { ...firstProject, source, spacing: coarse };
+  runLine(recipe.commandLine(project, "lines.glb"));
+  const bytes = await exported(project, "lines.glb");
+  assert.match(new TextDecoder().decode(bytes), /"mode":1/);
+  assert.equal(hash(bytes), hash(readFileSync(join(folder, "lines.glb"))));
+});
+
+test("cracks are told as they open, all of them and in their order", async () => {
+  const pieces = [];
+  const opened = (some) => {
+    assert.equal(some.first, pieces.length / 6);
+    pieces.push(...some.pieces);
+  };
+  const session = await newSession(Session, { progress: () => {}, opened });
+  const input = { kind: "shape", specification: shapes[0] };
+  const set = [["layer.spacing", "0.25"], ["mesh.output", '"simulation"'], ["layer.rounds", "0"]];
+  const summary = session.crack({ input, painted: [], recipe: { preset: "glaze", set } });
+  let length = 0;
+  for (let i = 0; i < pieces.length; i += 6) {
+    length += Math.hypot(pieces[i + 3] - pieces[i], pieces[i + 4] - pieces[i + 1]);
+  }
+  // Some vertices slide after a piece was told.
+  assert.ok(Math.abs(length / summary.length - 1) < 0.02, `${length}, ${summary.length}`);
+});
+
+const brush = { kind: "brush", radius: 20000, strength: 90, along: false, erase: false, mirror: true };
+const dabs = [16000, 30000, 0, 0, 0, 127, 20000, 36000, 0, 0, 0, 127];
+const painted = {
+  "a mask": [{ ...brush, layer: "mask", dabs }],
+  "an inverted mask": [
+    { ...brush, layer: "mask", dabs },
+    { ...brush, layer: "mask", kind: "invert", dabs: [] },
+  ],
+  "a stress along the stroke": [
+    { ...brush, layer: "stress", kind: "fill", strength: 10, dabs: [] },
+    { ...brush, layer: "stress", along: true, dabs },
+  ],
+};
+for (const [name, strokes] of Object.entries(painted)) {
+  test(`${name} gives the command's bytes, by the exported input`, { skip }, () =>
+    expectPaintedBytes(strokes));
+}
+
+async function expectPaintedBytes(strokes) {
   const source = { kind: "shape", specification: shapes[0] };
-  const stroke = { layer: "mask", radius: 20000, strength: 90, erase: false, mirror: true };
-  const strokes = [{ ...stroke, dabs: [16000, 30000, 0, 0, 0, 127, 20000, 36000, 0, 0, 0, 127] }];
   const project = { ...firstProject, source, spacing: coarse, strokes };
   const input = { kind: "shape", specification: source.specification };
   const session = await newSession(Session);
   const mesh = session.look(input);
   const painting = new Painting(canvasOf(mesh.positions, mesh.triangles));
   painting.follow(strokes);
-  const values = Float32Array.from(painting.values("mask"), layers.mask.value);
-  assert.ok(values.some((value) => value > 0.5) && values.some((value) => value === 0));
+  const attributes = paintedAttributes(project, painting);
+  const [{ values }] = attributes;
+  assert.ok(new Set(values).size > 3);
   const request = {
     input,
-    painted: [{ name: layers.mask.attribute, values }],
+    painted: attributes,
     recipe: { preset: project.preset, set: recipe.changedKeys(project) },
   };
   const [painted] = session.paintedInput(request, "painted.ply");
@@ -92,4 +136,4 @@ test("what was painted gives the command's bytes, by the exported input", { skip
   session.crack(request);
   const [page] = session.write("cracked.ply", project);
   assert.equal(hash(page.bytes), hash(readFileSync(join(folder, "cracked.ply"))));
-});
+}

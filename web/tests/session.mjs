@@ -26,6 +26,8 @@ export const presetNames = Object.keys(
   JSON.parse(readFileSync(join(generated, "presets.json"), "utf8")),
 );
 
-export async function newSession(Session, report = () => {}) {
-  return new Session(await loadCraze(generated), report);
+const silent = { progress: () => {}, opened: () => {} };
+
+export async function newSession(Session, listener = silent) {
+  return new Session(await loadCraze(generated), listener);
 }

@@ -65,7 +65,7 @@ LastCycle before_first_crack(const SimulationSurface& surface,
 }
 
 LastCycle run_cycles(const SimulationSurface& surface, const SimulationParameters& parameters,
-                     const Textures& textures, const Context& context) {
+                     const Textures& textures, const Context& context, const OnOpened& on_opened) {
   const EvolutionParameters& evolution = parameters.evolution;
   const double scar_width = evolution.scar_width * parameters.layer.screening_length;
   if (evolution.cycles > 1 && !(scar_width > 0)) {
@@ -83,7 +83,7 @@ LastCycle run_cycles(const SimulationSurface& surface, const SimulationParameter
       last.reason = StopReason::cancelled;  // the cracks of the cycle before stand
       break;
     }
-    last.reason = last.simulation->run(inner);
+    last.reason = last.simulation->run(inner, on_opened);
     const PhaseTimes& times = last.simulation->times();
     last.times.relax += times.relax;
     last.times.separation += times.separation;

@@ -30,6 +30,7 @@ LastCycle before_first_crack(const SimulationSurface& surface,
 /// is the last. Wants resolved parameters. Throws Error(request) where the layer has no adhesion
 /// and there are several cycles.
 LastCycle run_cycles(const SimulationSurface& surface, const SimulationParameters& parameters,
-                     const Textures& textures, const Context& context);
+                     const Textures& textures, const Context& context,
+                     const OnOpened& on_opened = {});
 
 }  // namespace craze

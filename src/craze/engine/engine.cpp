@@ -169,10 +169,10 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   context.report({"prepare", -1, 0, count_mesh(traced.surface).triangles});
   context.check();
 
-  SpacedRun run =
-      options.max_cracks == 0
-          ? uncracked(std::move(traced.surface), report.recipe, input.textures, context)
-          : run_to_spacing(std::move(traced.surface), report.recipe, input.textures, context);
+  SpacedRun run = options.max_cracks == 0
+                      ? uncracked(std::move(traced.surface), report.recipe, input.textures, context)
+                      : run_to_spacing(std::move(traced.surface), report.recipe, input.textures,
+                                       context, options.on_opened);
   if (run.last.reason == StopReason::cancelled && options.on_cancel == OnCancel::discard) {
     throw Cancelled();
   }

@@ -107,7 +107,7 @@ SpacedRun uncracked(SurfaceMesh repaired, const Recipe& recipe, const Textures& 
 }
 
 SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textures& textures,
-                         const Context& context) {
+                         const Context& context, const OnOpened& on_opened) {
   const double diagonal = bounding_diagonal(repaired.positions);
   SpacedRun run = resolved(recipe, diagonal);
   const double spacing = run.recipe.simulation.layer.spacing;
@@ -116,7 +116,7 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
   const std::int64_t rounds = asked ? recipe.simulation.layer.rounds : 0;
   if (rounds == 0) {
     prepare(run, std::move(repaired), textures, context);
-    run.last = run_cycles(run.surface, run.recipe.simulation, textures, context);
+    run.last = run_cycles(run.surface, run.recipe.simulation, textures, context, on_opened);
     return run;
   }
   const double first_length = run.recipe.simulation.layer.screening_length;
@@ -126,7 +126,7 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
   for (std::int64_t round = 0;; ++round) {
     try {
       prepare(run, repaired, textures, context);
-      run.last = run_cycles(run.surface, run.recipe.simulation, textures, context);
+      run.last = run_cycles(run.surface, run.recipe.simulation, textures, context, on_opened);
     } catch (const Cancelled&) {
       if (!best) throw;
       best->last.reason = StopReason::cancelled;

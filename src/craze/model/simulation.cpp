@@ -221,7 +221,7 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
   }
 }
 
-StopReason Simulation::run(const Context& context) {
+StopReason Simulation::run(const Context& context, const OnOpened& on_opened) {
   const bool starts = running_engine(parameters_) == Engine::quasistatic && events_ == 0;
   if (starts || interrupted_) {
     evolve(context);
@@ -230,7 +230,9 @@ StopReason Simulation::run(const Context& context) {
   // 3. While failure can occur and we want to continue:
   while (can_continue(context)) {
     // 3a. Crack the mesh at the node associated with the top of the priority queue.
+    const std::size_t known = opened_.size();
     crack_mesh();
+    if (on_opened) tell(on_opened, known);
     // 3b. Evolve the stress field.
     evolve(context);
     // 3c. Update the mesh information and priority queue.
@@ -334,6 +336,14 @@ bool Simulation::crack_at(std::int32_t v) {
   watch_.opened(scene(), v, normal, outcome_, changed_);
   relaxation_->mesh_changed(mesh(), outcome_);
   return true;
+}
+
+void Simulation::tell(const OnOpened& on_opened, std::size_t first) const {
+  for (std::size_t i = first; i < opened_.size(); ++i) {
+    const CrackSegment& s = opened_[i].geometry;
+    on_opened(
+        {static_cast<std::int64_t>(i), mesh().position(s.from_root), mesh().position(s.to_root)});
+  }
 }
 
 void Simulation::run_on(const Vec3& start, const Vec3& normal, const CrackRules& rules) {

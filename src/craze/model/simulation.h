@@ -14,6 +14,7 @@
 #include "craze/model/relaxation/relaxation.h"
 #include "craze/model/simulation_fields.h"
 #include "craze/model/stress_field.h"
+#include "craze/opened_piece.h"
 #include "craze/parameters.h"
 
 namespace craze {
@@ -58,13 +59,15 @@ class Simulation {
   /// It ends: a pass opens at least one segment, of which there are at most most_segments_; or
   /// none, and stops as idle after a number of updates; of passes that update nothing there are no
   /// more than nodes, each of which makes a node wait until its star or its stress has changed.
-  StopReason run(const Context& context);
+  StopReason run(const Context& context, const OnOpened& on_opened = {});
 
   const TriangleMesh& mesh() const { return sheet_.mesh(); }
   /// σ, F and u at load 1: load_on_field() times these are the state that was reached.
   const StressField& field() const { return sheet_.field(); }
   /// ς of a node without the residual of Eq. 8, at load 1; force.
   Sym3 separation(std::int32_t v) const;
+  /// Eq. 8's residual of a node, force; zero but at tips that are about to run on by it.
+  Sym3 residual(std::int32_t v) const { return watch_.residual(v); }
   /// The load factor s (quasistatic), 1 before a load was sought; 1 (euler).
   double load_on_field() const { return loading_->load() > 0 ? loading_->load() : 1; }
   /// The accumulated virtual displacement u of a node at the load that was reached.
@@ -91,6 +94,7 @@ class Simulation {
   FailureWatch::Scene scene() { return {mesh(), field(), fields_, *loading_, *relaxation_}; }
   void crack_mesh();
   bool crack_at(std::int32_t v);
+  void tell(const OnOpened& on_opened, std::size_t first) const;
   void run_on(const Vec3& start, const Vec3& normal, const CrackRules& rules);
   void evolve(const Context& context);
   void check_state() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "craze/engine/cracked_surface.h"
+#include "craze/mesh/tangent_frame.h"
 #include "craze/model/failure/separation_tensor.h"
 #include "craze/model/sources/curvature.h"
 
@@ -49,14 +50,26 @@ SurfaceMesh field_mesh(const Result& result, const Context& context) {
                    const double values[6] = {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx};
                    std::copy(values, values + 6, out);
                  });
+  add_attributes(fields.face_attributes, {"s1", "s2", "dx", "dy", "dz"}, mesh.face_count(),
+                 [&](std::int32_t f, double* out) {
+                   const Mat32 frame = tangent_frame(mesh, f);
+                   const Sym2 sigma = to_frame(load * field.stress(mesh, f), frame);
+                   const PrincipalCurvature principal = principal_curvature(sigma, frame);
+                   out[0] = principal.k1;
+                   out[1] = principal.k2;
+                   put(out + 2, principal.direction1);
+                 });
   auto& vertex = fields.vertex_attributes;
   const std::int32_t n = mesh.vertex_count();
   add_attributes(vertex, {"fx", "fy", "fz"}, n,
                  [&](std::int32_t v, double* out) { put(out, load * field.force(v)); });
-  add_attributes(vertex, {"v", "nx", "ny", "nz"}, n, [&](std::int32_t v, double* out) {
-    const Eigenpair pair = largest_eigenpair(load * simulation.separation(v));
+  add_attributes(vertex, {"v", "nx", "ny", "nz", "v2", "r"}, n, [&](std::int32_t v, double* out) {
+    const Sym3 separation = load * simulation.separation(v);
+    const Eigenpair pair = largest_eigenpair(separation);
     out[0] = std::max(pair.value, 0.0);
     put(out + 1, pair.vector);
+    out[4] = separation.xx + separation.yy + separation.zz - pair.value;
+    out[5] = largest_eigenpair(simulation.residual(v)).value;
   });
   add_attributes(vertex, {"ux", "uy", "uz"}, n,
                  [&](std::int32_t v, double* out) { put(out, simulation.displacement(v)); });

@@ -17,7 +17,7 @@ export interface CrazeModule {
   readonly HEAP32: Int32Array;
   readonly HEAPF64: Float64Array;
   readonly FS: FileSystem;
-  addFunction(callback: (...values: never[]) => number, signature: string): Pointer;
+  addFunction(callback: (...values: never[]) => number | void, signature: string): Pointer;
   _malloc(bytes: number): Pointer;
   _free(pointer: Pointer): void;
   _craze_version(): Pointer;
@@ -34,6 +34,7 @@ export interface CrazeModule {
     columns: number,
     error: Pointer,
   ): Status;
+  _craze_mesh_shading(mesh: Pointer, crease: number, normals: Pointer, error: Pointer): Status;
   _craze_mesh_array(mesh: Pointer, name: Pointer, array: Pointer, error: Pointer): Status;
   _craze_mesh_array_name(mesh: Pointer, index: bigint): Pointer;
   _craze_mesh_write(
@@ -48,10 +49,19 @@ export interface CrazeModule {
   _craze_job_set_mesh(job: Pointer, mesh: Pointer, error: Pointer): Status;
   _craze_job_set_preset(job: Pointer, preset: Pointer, error: Pointer): Status;
   _craze_job_set(job: Pointer, key: Pointer, value: Pointer, error: Pointer): Status;
+  _craze_job_set_recipe(job: Pointer, text: Pointer, name: Pointer, error: Pointer): Status;
+  _craze_job_set_max_cracks(job: Pointer, cracks: bigint, error: Pointer): Status;
+  _craze_job_set_opened(job: Pointer, opened: Pointer, user: Pointer): void;
   _craze_job_set_threads(job: Pointer, threads: number, error: Pointer): Status;
   _craze_job_set_progress(job: Pointer, progress: Pointer, user: Pointer): void;
   _craze_job_run(job: Pointer, error: Pointer): Status;
   _craze_job_summary(job: Pointer, error: Pointer): Pointer;
+  _craze_job_statistics(job: Pointer, error: Pointer): Pointer;
+  _craze_job_fields(job: Pointer, error: Pointer): Pointer;
+  _craze_job_lines(job: Pointer, error: Pointer): Pointer;
+  _craze_lines_array(lines: Pointer, name: Pointer, array: Pointer, error: Pointer): Status;
+  _craze_lines_write(lines: Pointer, path: Pointer, error: Pointer): Status;
+  _craze_lines_free(lines: Pointer): void;
   _craze_job_open(
     job: Pointer,
     gap: number,

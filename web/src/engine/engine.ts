@@ -1,8 +1,7 @@
 // The engine as the page uses it. Each run has a worker of its own: one that is cancelled is ended,
 // and the last result stays in the worker that made it until the next one is there.
 import wasmUrl from "./generated/craze.wasm?url";
-import type { CrackRequest, Input, InputMesh, Moment, OutputFile, Picture } from "./messages";
-import type { Post, Progress, Summary } from "./messages";
+import type * as m from "./messages";
 import { Cancelled, WorkerClient } from "./worker_client";
 
 async function compile(): Promise<WebAssembly.Module> {
@@ -13,19 +12,20 @@ async function compile(): Promise<WebAssembly.Module> {
 }
 
 export class Engine {
-  onProgress: (progress: Progress) => void = () => {};
+  onProgress: (progress: m.Progress) => void = () => {};
+  onOpened: (pieces: m.OpenedPieces) => void = () => {};
   private readonly code = compile();
   private spare = new WorkerClient(this.code);
   private running: WorkerClient | null = null;
   private result: WorkerClient | null = null;
 
   /** The surface of an input. Throws CrazeError. */
-  look(input: Input): Promise<InputMesh> {
+  look(input: m.Input): Promise<m.InputMesh> {
     return this.alone((worker) => worker.ask("look", { input }));
   }
 
   /** Cracks it, ending a run that is under way. Throws CrazeError, and Cancelled. */
-  async crack(request: CrackRequest): Promise<Summary> {
+  async crack(request: m.CrackRequest): Promise<m.Summary> {
     this.cancel();
     const worker = this.take();
     this.running = worker;
@@ -35,6 +35,7 @@ export class Engine {
       this.result?.end();
       this.result = worker;
       worker.onProgress = () => {}; // what is made of a result is quick
+      worker.onOpened = () => {};
       return summary;
     } catch (error) {
       worker.end();
@@ -44,26 +45,47 @@ export class Engine {
     }
   }
 
+  get isRunning(): boolean {
+    return this.running !== null;
+  }
+
   cancel(): void {
     this.running?.end();
     this.running = null;
   }
 
   /** What comes of the last run. Nothing is cracked again. */
-  open(post: Post): Promise<Picture> {
+  open(post: m.Post): Promise<m.Picture> {
     return this.last().ask("open", post);
   }
 
   /** At a time of the growth, 0 … 1, of what was opened last. */
-  moment(time: number): Promise<Moment> {
+  moment(time: number): Promise<m.Moment> {
     return this.last().ask("moment", { time });
   }
 
-  write(name: string, post: Post): Promise<OutputFile[]> {
+  write(name: string, post: m.Post): Promise<m.OutputFile[]> {
     return this.last().ask("write", { name, post });
   }
 
-  paintedInput(request: CrackRequest, name: string): Promise<OutputFile[]> {
+  fields(): Promise<m.Fields> {
+    return this.last().ask("fields", null);
+  }
+
+  statistics(): Promise<m.Statistics> {
+    return this.last().ask("statistics", null);
+  }
+
+  writeLines(name: string): Promise<m.OutputFile[]> {
+    return this.last().ask("writeLines", { name });
+  }
+
+  /** The paper's loop after so many cracks. */
+  loop(cracks: number, seed: number): Promise<m.LoopState> {
+    return this.spare.ask("loop", { cracks, seed });
+  }
+
+  paintedInput(request: m.CrackRequest, name: string): Promise<m.OutputFile[]> {
     return this.alone((worker) => worker.ask("paintedInput", { ...request, name }));
   }
 
@@ -75,6 +97,7 @@ export class Engine {
   private take(): WorkerClient {
     const worker = this.spare;
     worker.onProgress = (progress) => this.onProgress(progress);
+    worker.onOpened = (pieces) => this.onOpened(pieces);
     this.spare = new WorkerClient(this.code);
     return worker;
   }

@@ -81,9 +81,24 @@ export class Memory {
 
   /** A copy of a mesh's array; throws CrazeError where there is no such one. */
   meshArray(mesh: number, name: string): Rows {
-    this.withText(name, (at) =>
-      this.check((error) => this.craze._craze_mesh_array(mesh, at, this.array, error)),
-    );
+    return this.rowsOf(name, (...found) => this.craze._craze_mesh_array(mesh, ...found));
+  }
+
+  /** The same of crack lines. */
+  linesArray(lines: number, name: string): Rows {
+    return this.rowsOf(name, (...found) => this.craze._craze_lines_array(lines, ...found));
+  }
+
+  /** The text that a function returns, which is freed. */
+  taken(call: (error: number) => number): string {
+    const pointer = this.made(call);
+    const text = this.text(pointer);
+    this.craze._craze_text_free(pointer);
+    return text;
+  }
+
+  private rowsOf(name: string, find: (name: number, array: number, error: number) => number): Rows {
+    this.withText(name, (at) => this.check((error) => find(at, this.array, error)));
     const view = new DataView(this.craze.HEAPU8.buffer, this.array, arraySize);
     const data = view.getUint32(0, true);
     const rows = Number(view.getBigInt64(8, true));

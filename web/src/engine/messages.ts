@@ -5,10 +5,11 @@ export type Input =
   | { kind: "shape"; specification: string }
   | { kind: "file"; name: string; bytes: Uint8Array };
 
-/** Values painted on the input's vertices, one each, under the name that the recipe gives them. */
+/** Values painted on the input's vertices, row by row, under the name that the recipe gives them. */
 export interface PaintedAttribute {
   name: string;
   values: Float32Array;
+  columns: number; // how many values a vertex has
 }
 
 /** A preset and the keys that differ from it, as --set takes them, in their order. */
@@ -71,6 +72,42 @@ export interface Progress {
   load: number;
 }
 
+/** Pieces of crack as they open, six numbers each: from, to. `first` is the number of the first of
+ * them; with 0 the pattern begins anew. */
+export interface OpenedPieces {
+  first: number;
+  pieces: Float32Array;
+}
+
+/** The state that a run ended in, on the mesh that its cracks grew on. */
+export interface Fields {
+  positions: Float32Array; // three per vertex
+  triangles: Int32Array; // three per triangle
+  normals: Float32Array; // three per corner, unit
+  stress: Float32Array; // two per triangle: the principal stresses, the larger first
+  stressDirection: Float32Array; // three per triangle, of the larger one, unit
+  separation: Float32Array; // two per vertex: values of ς, the larger first, force
+  separationDirection: Float32Array; // three per vertex, of the larger one, unit
+  forces: Float32Array; // three per vertex
+  residual: Float32Array; // one per vertex: what Eq. 8 leaves at a tip, force
+}
+
+/** One value of the statistics with its standard error; null where it cannot be measured. */
+export interface Measured {
+  value: number | null;
+  error: number | null;
+}
+export type Statistics = Record<string, Record<string, Measured>>;
+
+/** The paper's loop on a small plate after so many cracks. */
+export interface LoopState {
+  fields: Fields;
+  lines: Float32Array; // six per piece of a crack: from, to
+  events: Int32Array; // one per piece: the number of its crack
+  toughness: number; // force at which a node fails
+  ended: boolean; // nothing more can fail
+}
+
 export interface OutputFile {
   name: string;
   bytes: Uint8Array;
@@ -83,6 +120,10 @@ export interface Requests {
   open: { request: Post; reply: Picture };
   moment: { request: { time: number }; reply: Moment };
   write: { request: { name: string; post: Post }; reply: OutputFile[] };
+  fields: { request: null; reply: Fields };
+  statistics: { request: null; reply: Statistics };
+  writeLines: { request: { name: string }; reply: OutputFile[] };
+  loop: { request: { cracks: number; seed: number }; reply: LoopState };
   paintedInput: { request: CrackRequest & { name: string }; reply: OutputFile[] };
 }
 
@@ -93,4 +134,5 @@ export type ToWorker = { [K in Kind]: { id: number; kind: K; request: Requests[K
 export type FromWorker =
   | { id: number; reply: Requests[Kind]["reply"] }
   | { id: number; error: { status: number; message: string } }
-  | { progress: Progress };
+  | { progress: Progress }
+  | { opened: OpenedPieces };

@@ -1,16 +1,25 @@
 // One run of the engine in one instance: an input, its cracks, and what is made of them. The
 // instance is thrown away with the worker that holds it, so nothing is freed that lives as long.
-import { cornerNormals } from "./corner_normals";
 import { crackEdges } from "./crack_edges";
 import type { CrazeModule } from "./craze_module";
+import { fieldsOf } from "./fields";
 import { Memory } from "./memory";
 import type * as m from "./messages";
+import { loopState } from "./paper_loop";
+import { shading } from "./shading";
 
 const folder = "/studio";
+
+/** Who is told while the engine is at work. */
+export interface Listener {
+  progress(progress: m.Progress): void;
+  opened(pieces: m.OpenedPieces): void;
+}
 
 export class Session {
   private readonly memory: Memory;
   private readonly callback: number;
+  private readonly openedCallback: number;
   private mesh = 0;
   private job = 0;
   private opening = 0;
@@ -18,12 +27,12 @@ export class Session {
 
   constructor(
     private readonly craze: CrazeModule,
-    report: (progress: m.Progress) => void,
+    listener: Listener,
   ) {
     this.memory = new Memory(craze);
     craze.FS.mkdir(folder);
     const tell = (_: number, phase: number, fraction: number, cracks: bigint, load: number) => {
-      report({
+      listener.progress({
         phase: this.memory.text(phase),
         fraction: fraction < 0 ? null : fraction,
         cracks: Number(cracks),
@@ -32,6 +41,12 @@ export class Session {
       return 0;
     };
     this.callback = craze.addFunction(tell, "iiidjd");
+    const show = (_: number, first: bigint, pieces: number, count: bigint) =>
+      listener.opened({
+        first: Number(first),
+        pieces: Float32Array.from(this.memory.numbers(pieces, 6 * Number(count))),
+      });
+    this.openedCallback = craze.addFunction(show, "vijij");
   }
 
   look(input: m.Input): m.InputMesh {
@@ -41,7 +56,7 @@ export class Session {
     return {
       positions: Float32Array.from(positions),
       triangles: Uint32Array.from(triangles),
-      normals: this.normals(this.mesh, positions, triangles),
+      normals: shading(this.craze, this.memory, this.mesh, triangles.length),
       warnings: this.memory.list((i) => this.craze._craze_mesh_warning(this.mesh, i)),
     };
   }
@@ -64,6 +79,7 @@ export class Session {
       );
     }
     craze._craze_job_set_progress(this.job, this.callback, 0);
+    craze._craze_job_set_opened(this.job, this.openedCallback, 0);
     memory.check((e) => craze._craze_job_run(this.job, e));
     return this.summary();
   }
@@ -83,7 +99,7 @@ export class Session {
       this.opened = { post, triangles, edges };
       return {
         ...this.places(positions),
-        normals: this.normals(mesh, positions, triangles),
+        normals: shading(this.craze, memory, mesh, triangles.length),
         fragments: Int32Array.from(memory.meshArray(mesh, "face:fragment").values),
         walls,
         lineGrowth: Float32Array.from(edges, (vertex) => growth[vertex]!),
@@ -122,6 +138,32 @@ export class Session {
     }
   }
 
+  fields(): m.Fields {
+    return fieldsOf(this.craze, this.memory, this.job);
+  }
+
+  statistics(): m.Statistics {
+    return JSON.parse(this.memory.taken((e) => this.craze._craze_job_statistics(this.job, e)));
+  }
+
+  loop(cracks: number, seed: number): m.LoopState {
+    return loopState(this.craze, this.memory, cracks, seed);
+  }
+
+  /** The cracks as lines in the format of the name's extension. */
+  writeLines(name: string): m.OutputFile[] {
+    const { craze, memory } = this;
+    const lines = memory.made((e) => craze._craze_job_lines(this.job, e));
+    try {
+      memory.withText(`${folder}/${name}`, (path) =>
+        memory.check((e) => craze._craze_lines_write(lines, path, e)),
+      );
+      return this.takeFiles();
+    } finally {
+      craze._craze_lines_free(lines);
+    }
+  }
+
   /** The input with what was painted on it, for the command. */
   paintedInput(request: m.CrackRequest, name: string): m.OutputFile[] {
     this.read(request.input);
@@ -151,11 +193,12 @@ export class Session {
   }
 
   private paint(painted: m.PaintedAttribute[]): void {
-    for (const { name, values } of painted) {
+    for (const { name, values, columns } of painted) {
+      const rows = BigInt(values.length / columns);
       this.memory.withText(`vertex:${name}`, (text) =>
         this.memory.withNumbers(values.length, values, (at) =>
           this.memory.check((e) =>
-            this.craze._craze_mesh_set(this.mesh, text, at, BigInt(values.length), 1, e),
+            this.craze._craze_mesh_set(this.mesh, text, at, rows, columns, e),
           ),
         ),
       );
@@ -175,21 +218,13 @@ export class Session {
     return this.memory.meshArray(mesh, "faces").values as Int32Array;
   }
 
-  private normals(mesh: number, positions: ArrayLike<number>, triangles: Int32Array) {
-    const names = this.memory.list((i) => this.craze._craze_mesh_array_name(mesh, i));
-    if (!names.includes("normals")) return cornerNormals(positions, triangles);
-    return Float32Array.from(this.memory.meshArray(mesh, "normals").values);
-  }
-
   private places(positions: ArrayLike<number>): m.Moment {
     const { triangles, edges } = this.opened!;
     return { positions: placesOf(positions, triangles), lines: placesOf(positions, edges) };
   }
 
   private summary(): m.Summary {
-    const text = this.memory.made((e) => this.craze._craze_job_summary(this.job, e));
-    const report = JSON.parse(this.memory.text(text));
-    this.craze._craze_text_free(text);
+    const report = JSON.parse(this.memory.taken((e) => this.craze._craze_job_summary(this.job, e)));
     return {
       cracks: report.cracks.events,
       fragments: report.cracks.fragments,
@@ -205,6 +240,11 @@ export class Session {
     memory.withText(`${folder}/${name}`, (path) =>
       memory.check((e) => craze._craze_mesh_write(mesh, path, this.callback, 0, e)),
     );
+    return this.takeFiles();
+  }
+
+  private takeFiles(): m.OutputFile[] {
+    const { craze } = this;
     const names = craze.FS.readdir(folder).filter((found) => found !== "." && found !== "..");
     return names.map((found) => {
       const bytes = craze.FS.readFile(`${folder}/${found}`);

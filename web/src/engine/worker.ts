@@ -14,7 +14,10 @@ type Reply = Requests[Kind]["reply"];
 async function answer({ kind, request }: ToWorker): Promise<Reply> {
   if (kind === "start") {
     const craze = await instantiate(createCraze as CreateCraze, request.code);
-    session = new Session(craze, (progress) => send({ progress }));
+    session = new Session(craze, {
+      progress: (progress) => send({ progress }),
+      opened: (opened) => send({ opened }, [opened.pieces.buffer as ArrayBuffer]),
+    });
     return null;
   }
   if (!session) throw new Error("the engine was not started");
@@ -29,6 +32,14 @@ async function answer({ kind, request }: ToWorker): Promise<Reply> {
       return session.moment(request.time);
     case "write":
       return session.write(request.name, request.post);
+    case "fields":
+      return session.fields();
+    case "statistics":
+      return session.statistics();
+    case "writeLines":
+      return session.writeLines(request.name);
+    case "loop":
+      return session.loop(request.cracks, request.seed);
     case "paintedInput":
       return session.paintedInput(request, request.name);
   }

@@ -1,6 +1,6 @@
 // A worker with the engine, asked through promises.
 import { CrazeError } from "./memory";
-import type { FromWorker, Kind, Progress, Requests } from "./messages";
+import type { FromWorker, Kind, OpenedPieces, Progress, Requests } from "./messages";
 
 interface Waiting {
   resolve(reply: Requests[Kind]["reply"]): void;
@@ -17,6 +17,7 @@ export class Cancelled extends Error {
 
 export class WorkerClient {
   onProgress: (progress: Progress) => void = () => {};
+  onOpened: (pieces: OpenedPieces) => void = () => {};
   private readonly worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
   private readonly waiting = new Map<number, Waiting>();
   private next = 0;
@@ -53,6 +54,7 @@ export class WorkerClient {
 
   private hear(message: FromWorker): void {
     if ("progress" in message) return this.onProgress(message.progress);
+    if ("opened" in message) return this.onOpened(message.opened);
     const waiting = this.waiting.get(message.id);
     this.waiting.delete(message.id);
     if ("reply" in message) waiting?.resolve(message.reply);

@@ -1,93 +1,122 @@
-// A stroke on the vertices of a surface. Sums and products alone, rounded to single precision, so
-// that the same stroke gives the same bits everywhere.
+// A stroke on the vertices of a surface. Sums, products and roots alone, rounded to single
+// precision, so that the same stroke gives the same bits everywhere.
 import type { Stroke } from "../project/project";
-
-export interface Canvas {
-  positions: Float32Array; // three per vertex
-  normals: Float32Array; // three per vertex, of any length
-  low: [number, number, number];
-  size: [number, number, number]; // of the box
-  diagonal: number;
-}
+import type { Canvas } from "./canvas";
 
 export const steps = 65535;
 
-/** The vertices that a stroke changed and what they had before. */
+/** What a stroke paints with at a vertex: `values`, `columns` of them per vertex, go towards
+ * `target` by a weight. */
+export interface Ink {
+  values: Float32Array;
+  columns: number;
+}
+
+/** The vertices that a stroke changed and what they had before, row by row. */
 export interface Delta {
+  ink: Ink;
   vertices: Uint32Array;
   before: Float32Array;
 }
 
-export function canvasOf(positions: Float32Array, triangles: Uint32Array): Canvas {
-  const low: Canvas["low"] = [Infinity, Infinity, Infinity];
-  const high: Canvas["low"] = [-Infinity, -Infinity, -Infinity];
-  positions.forEach((x, i) => {
-    low[i % 3] = Math.min(low[i % 3]!, x);
-    high[i % 3] = Math.max(high[i % 3]!, x);
-  });
-  const size: Canvas["size"] = [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
-  const diagonal = Math.sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
-  return { positions, normals: vertexNormals(positions, triangles), low, size, diagonal };
+/** Where a brush came down, in the units of the surface. */
+interface Dab {
+  at: readonly [number, number, number];
+  normal: readonly [number, number, number];
+  target: readonly number[]; // one per column
 }
 
-function vertexNormals(p: Float32Array, triangles: Uint32Array): Float32Array {
-  const normals = new Float32Array(p.length);
-  for (let f = 0; f < triangles.length; f += 3) {
-    const [a, b, c] = [3 * triangles[f]!, 3 * triangles[f + 1]!, 3 * triangles[f + 2]!];
-    const [ux, uy, uz] = [p[b]! - p[a]!, p[b + 1]! - p[a + 1]!, p[b + 2]! - p[a + 2]!];
-    const [vx, vy, vz] = [p[c]! - p[a]!, p[c + 1]! - p[a + 1]!, p[c + 2]! - p[a + 2]!];
-    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    for (const at of [a, b, c]) for (let k = 0; k < 3; ++k) normals[at + k]! += normal[k]!;
-  }
-  return normals;
-}
-
-/** Paints on `values`, one per vertex, 0 … 1: full in the middle of a dab, soft to its edge. */
-export function applyStroke(canvas: Canvas, stroke: Stroke, values: Float32Array): Delta {
-  const changed = new Map<number, number>();
-  for (let i = 0; i < stroke.dabs.length; i += 6) {
-    const dab = stroke.dabs.slice(i, i + 6);
-    applyDab(canvas, stroke, dab, values, changed);
-    if (stroke.mirror) {
-      const mirrored = [steps - dab[0]!, dab[1]!, dab[2]!, -dab[3]!, dab[4]!, dab[5]!];
-      applyDab(canvas, stroke, mirrored, values, changed);
-    }
-  }
-  return {
-    vertices: Uint32Array.from(changed.keys()),
-    before: Float32Array.from(changed.values()),
+/** Paints: full in the middle of a dab, soft to its edge. */
+export function applyStroke(canvas: Canvas, stroke: Stroke, ink: Ink): Delta {
+  const changed = new Map<number, Float32Array>();
+  const keep = (v: number) => {
+    if (!changed.has(v)) changed.set(v, ink.values.slice(ink.columns * v, ink.columns * (v + 1)));
   };
+  if (stroke.kind !== "brush") {
+    applyEverywhere(stroke, ink, keep);
+  } else {
+    for (const dab of dabsOf(canvas, stroke, ink)) applyDab(canvas, stroke, dab, ink, keep);
+  }
+  const before = new Float32Array(ink.columns * changed.size);
+  [...changed.values()].forEach((row, i) => before.set(row, ink.columns * i));
+  return { ink, vertices: Uint32Array.from(changed.keys()), before };
 }
 
-export function takeBack(delta: Delta, values: Float32Array): void {
-  delta.vertices.forEach((vertex, i) => (values[vertex] = delta.before[i]!));
+export function takeBack({ ink, vertices, before }: Delta): void {
+  const { values, columns } = ink;
+  vertices.forEach((vertex, i) =>
+    values.set(before.subarray(columns * i, columns * (i + 1)), columns * vertex),
+  );
+}
+
+function applyEverywhere(stroke: Stroke, ink: Ink, keep: (v: number) => void): void {
+  const amount = stroke.strength / 100;
+  const target = stroke.erase ? 0 : 1;
+  for (let v = 0; v < ink.values.length; ++v) {
+    const old = ink.values[v]!;
+    keep(v);
+    ink.values[v] = stroke.kind === "invert" ? 1 - old : old + amount * (target - old);
+  }
+}
+
+function dabsOf({ low, size }: Canvas, stroke: Stroke, ink: Ink): Dab[] {
+  const dabs: Dab[] = [];
+  let last: Dab["at"] | null = null;
+  for (let i = 0; i < stroke.dabs.length; i += 6) {
+    const n = stroke.dabs.slice(i, i + 6);
+    const place = (k: number) => low[k]! + (n[k]! / steps) * size[k]!;
+    const at = [place(0), place(1), place(2)] as const;
+    const normal = [n[3]!, n[4]!, n[5]!] as const;
+    const target = stroke.erase ? Array(ink.columns).fill(0) : targetOf(ink, last, at);
+    last = at;
+    if (!target) continue;
+    dabs.push({ at, normal, target });
+    if (!stroke.mirror) continue;
+    const mirrored = [low[0] + size[0] - (at[0] - low[0]), at[1], at[2]] as const;
+    dabs.push({
+      at: mirrored,
+      normal: [-normal[0], normal[1], normal[2]],
+      // xy and zx change their sign.
+      target: target.map((x, k) => (k === 3 || k === 5 ? -x : x)),
+    });
+  }
+  return dabs;
+}
+
+/** 1; or the tensor t tᵀ of the way from the last dab to this one, null where there is none. */
+function targetOf(ink: Ink, last: Dab["at"] | null, at: Dab["at"]): number[] | null {
+  if (ink.columns === 1) return [1];
+  if (!last) return null;
+  const [x, y, z] = [at[0] - last[0], at[1] - last[1], at[2] - last[2]];
+  const square = x * x + y * y + z * z;
+  if (square === 0) return null;
+  return [x * x, y * y, z * z, x * y, y * z, z * x].map((product) => product / square);
 }
 
 function applyDab(
-  canvas: Canvas,
+  { positions, normals, diagonal }: Canvas,
   stroke: Stroke,
-  dab: number[],
-  values: Float32Array,
-  changed: Map<number, number>,
+  { at, normal, target }: Dab,
+  { values, columns }: Ink,
+  keep: (v: number) => void,
 ): void {
-  const { positions, normals, low, size, diagonal } = canvas;
-  const x = low[0] + (dab[0]! / steps) * size[0];
-  const y = low[1] + (dab[1]! / steps) * size[1];
-  const z = low[2] + (dab[2]! / steps) * size[2];
   const radius = (stroke.radius / steps) * diagonal;
   const square = radius * radius;
   const amount = stroke.strength / 100;
-  for (let v = 0; v < values.length; ++v) {
-    const [dx, dy, dz] = [positions[3 * v]! - x, positions[3 * v + 1]! - y, positions[3 * v + 2]! - z];
+  for (let v = 0; v < positions.length / 3; ++v) {
+    const dx = positions[3 * v]! - at[0];
+    const dy = positions[3 * v + 1]! - at[1];
+    const dz = positions[3 * v + 2]! - at[2];
     const distance = dx * dx + dy * dy + dz * dz;
     if (distance >= square) continue;
     const facing =
-      normals[3 * v]! * dab[3]! + normals[3 * v + 1]! * dab[4]! + normals[3 * v + 2]! * dab[5]!;
+      normals[3 * v]! * normal[0] + normals[3 * v + 1]! * normal[1] + normals[3 * v + 2]! * normal[2];
     if (facing <= 0) continue; // the other side of a thin wall
     const soft = 1 - distance / square;
     const weight = amount * soft * soft;
-    const old = values[v]!;
-    if (!changed.has(v)) changed.set(v, old);
-    values[v] = stroke.erase ? old - weight * old : old + weight * (1 - old);
+    keep(v);
+    for (let k = columns * v; k < columns * (v + 1); ++k) {
+      values[k] = values[k]! + weight * (target[k - columns * v]! - values[k]!);
+    }
   }
 }

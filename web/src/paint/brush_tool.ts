@@ -1,12 +1,14 @@
 // The pointer on the canvas as a brush, or as a hammer. The camera turns where it misses.
 import type { LayerName, Stroke } from "../project/project";
 import type { Viewer } from "../scene/viewer";
-import { steps, type Canvas } from "./brush";
+import { steps } from "./brush";
+import type { Canvas } from "./canvas";
 import { dabOf, Picking } from "./picking";
 
 export interface BrushSettings {
   size: number; // radius over the diagonal
   strength: number; // 0 … 1
+  along: boolean;
   erase: boolean;
   mirror: boolean;
 }
@@ -50,11 +52,13 @@ export class BrushTool {
       this.viewer.controls.enabled = true;
       return;
     }
-    const { size, strength, erase, mirror } = this.events.settings();
+    const { size, strength, along, erase, mirror } = this.events.settings();
     // A pen presses; a mouse and a finger say 0.5 or 0.
     const pressure = event.pointerType === "pen" ? event.pressure : 1;
     this.stroke = {
+      kind: "brush",
       layer: this.tool,
+      along: along && this.tool === "stress",
       radius: Math.round(size * steps),
       strength: Math.max(1, Math.round(100 * strength * pressure)),
       erase,

@@ -1,5 +1,6 @@
 // What each paint does to the recipe: the one table.
-import type { LayerName } from "../project/project";
+import { layerNames, type LayerName, type Project } from "../project/project";
+import type { Painting } from "./painting";
 
 export interface Layer {
   attribute: string; // the input's, made of the paint
@@ -8,9 +9,15 @@ export interface Layer {
   value(p: number): number;
 }
 
+// Added tension where the paint is full, in units of the presets' own.
+const fullStress = 2;
+
 export const layers: Record<LayerName, Layer> = {
-  // Added tension, in units of the presets' own.
-  stress: { attribute: "paint_stress", key: "stress.attribute", value: (p) => 2 * p },
+  stress: {
+    attribute: "paint_stress",
+    key: "stress.attribute",
+    value: (p) => fullStress * p,
+  },
   // Weaker where painted: factor of strength and toughness.
   strength: { attribute: "paint_strength", key: "material.attribute", value: (p) => 1 - 0.75 * p },
   // Denser where painted: factor of the spacing.
@@ -18,3 +25,27 @@ export const layers: Record<LayerName, Layer> = {
   // Cracks where painted, and nowhere else.
   mask: { attribute: "paint_mask", key: "where.attribute", value: (p) => p },
 };
+
+export function paintedLayers(project: Project): LayerName[] {
+  return layerNames.filter((name) => project.strokes.some((stroke) => stroke.layer === name));
+}
+
+const isDirected = (project: Project) =>
+  project.strokes.some((stroke) => stroke.layer === "stress" && stroke.along);
+
+/** The attributes of the input that the strokes of a project make. A stress without direction is
+ * one number, c I; with one it is a tensor, xx yy zz xy yz zx. */
+export function paintedAttributes(project: Project, painting: Painting) {
+  return paintedLayers(project).map((name) => {
+    const { attribute, value } = layers[name];
+    const paint = painting.values(name);
+    if (name !== "stress" || !isDirected(project)) {
+      return { name: attribute, values: Float32Array.from(paint, value), columns: 1 };
+    }
+    const values = Float32Array.from(painting.tension, value);
+    paint.forEach((p, v) => {
+      for (let k = 0; k < 3; ++k) values[6 * v + k]! += value(p);
+    });
+    return { name: attribute, values, columns: 6 };
+  });
+}

@@ -1,23 +1,40 @@
 // The paint of all layers on the vertices of one surface, kept in step with a list of strokes.
 import { layerNames, type LayerName, type Stroke } from "../project/project";
-import { applyStroke, takeBack, type Canvas, type Delta } from "./brush";
+import { applyStroke, takeBack, type Delta, type Ink } from "./brush";
+import type { Canvas } from "./canvas";
 
 const longestMemory = 64 * 1024 * 1024; // bytes of deltas
 
 export class Painting {
   private strokes: readonly Stroke[] = [];
-  private deltas: (Delta | null)[] = []; // null: no longer remembered
+  private deltas: (Delta[] | null)[] = []; // of each stroke; null: no longer remembered
   private remembered = 0; // bytes
-  private readonly paint: Record<LayerName, Float32Array>;
+  private readonly paint: Record<LayerName, Ink>;
+  private readonly directed: Ink; // stress that has a direction
 
   constructor(private readonly canvas: Canvas) {
-    const blank = () => new Float32Array(canvas.positions.length / 3);
-    this.paint = Object.fromEntries(layerNames.map((name) => [name, blank()])) as typeof this.paint;
+    const blank = (columns: number): Ink => {
+      return { values: new Float32Array((columns * canvas.positions.length) / 3), columns };
+    };
+    this.paint = Object.fromEntries(layerNames.map((name) => [name, blank(1)])) as typeof this.paint;
+    this.directed = blank(6);
   }
 
   /** One per vertex, 0 … 1. */
   values(layer: LayerName): Float32Array {
-    return this.paint[layer];
+    return this.paint[layer].values;
+  }
+
+  /** The same as it is looked at: of stress, with and without a direction. */
+  seen(layer: LayerName): Float32Array {
+    if (layer !== "stress") return this.values(layer);
+    const t = this.tension;
+    return this.values(layer).map((p, v) => p + t[6 * v]! + t[6 * v + 1]! + t[6 * v + 2]!);
+  }
+
+  /** Six per vertex, xx yy zz xy yz zx: tension along strokes, its trace 0 … 1. */
+  get tension(): Float32Array {
+    return this.directed.values;
   }
 
   /** Paints what the list has more and takes back what it has no longer. */
@@ -25,25 +42,29 @@ export class Painting {
     let common = 0;
     while (common < strokes.length && strokes[common] === this.strokes[common]) ++common;
     if (this.deltas.slice(common).includes(null)) {
-      for (const name of layerNames) this.paint[name].fill(0);
+      for (const ink of [...Object.values(this.paint), this.directed]) ink.values.fill(0);
       this.deltas = [];
       this.remembered = 0;
       common = 0;
     }
-    for (let i = this.deltas.length - 1; i >= common; --i) {
-      const delta = this.deltas[i]!;
-      takeBack(delta, this.paint[this.strokes[i]!.layer]);
-      this.remembered -= sizeOf(delta);
+    for (const deltas of this.deltas.splice(common).reverse()) {
+      deltas!.forEach(takeBack);
+      this.remembered -= sizeOf(deltas!);
     }
-    this.deltas.length = common;
     for (const stroke of strokes.slice(common)) this.add(stroke);
     this.strokes = strokes;
   }
 
+  private inksOf({ kind, layer, along, erase }: Stroke): Ink[] {
+    if (layer !== "stress" || kind === "invert") return [this.paint[layer]];
+    if (erase) return [this.paint.stress, this.directed];
+    return [along && kind === "brush" ? this.directed : this.paint.stress];
+  }
+
   private add(stroke: Stroke): void {
-    const delta = applyStroke(this.canvas, stroke, this.paint[stroke.layer]);
-    this.deltas.push(delta);
-    this.remembered += sizeOf(delta);
+    const deltas = this.inksOf(stroke).map((ink) => applyStroke(this.canvas, stroke, ink));
+    this.deltas.push(deltas);
+    this.remembered += sizeOf(deltas);
     for (let i = 0; this.remembered > longestMemory && i < this.deltas.length; ++i) {
       const old = this.deltas[i];
       if (!old) continue;
@@ -53,4 +74,5 @@ export class Painting {
   }
 }
 
-const sizeOf = (delta: Delta) => delta.vertices.byteLength + delta.before.byteLength;
+const sizeOf = (deltas: Delta[]) =>
+  deltas.reduce((sum, { vertices, before }) => sum + vertices.byteLength + before.byteLength, 0);

@@ -1,7 +1,8 @@
 // Where on the input's surface a pointer is.
 import * as three from "three";
 import { MeshBVH } from "three-mesh-bvh";
-import { steps, type Canvas } from "./brush";
+import { steps } from "./brush";
+import type { Canvas } from "./canvas";
 
 export interface Hit {
   point: three.Vector3;

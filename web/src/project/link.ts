@@ -21,7 +21,9 @@ function strokeOf(value: unknown): Stroke {
   if (!layerNames.includes(stroke?.layer)) wrong("layer of a stroke");
   if (!isNumber(stroke.radius) || !isNumber(stroke.strength)) wrong("numbers of a stroke");
   if (!isList(stroke.dabs) || stroke.dabs.length % 6 !== 0) wrong("dabs of a stroke");
-  return { ...stroke, erase: stroke.erase === true, mirror: stroke.mirror === true };
+  const kind = (["fill", "invert"] as const).find((name) => name === stroke.kind) ?? "brush";
+  const [along, erase, mirror] = [stroke.along, stroke.erase, stroke.mirror].map((x) => x === true);
+  return { ...stroke, kind, along: along!, erase: erase!, mirror: mirror! };
 }
 
 /** The project in parsed JSON; throws Error where it is none. */

@@ -10,7 +10,9 @@ export type LayerName = (typeof layerNames)[number];
  * were: places in 1/65535 of the box of the input, radius in the same of its diagonal, strength in
  * 1/100; normals are of length 127. */
 export interface Stroke {
+  kind: "brush" | "fill" | "invert"; // the last two are of the whole surface
   layer: LayerName;
+  along: boolean; // stress alone: tension along the way that the brush goes, none across it
   radius: number;
   strength: number;
   erase: boolean;

@@ -1,10 +1,6 @@
 // The recipe of a project as keys that differ from its preset: for the engine and for the command.
-import { layers } from "../paint/layers";
-import { layerNames, type Project } from "./project";
-
-export function paintedLayers(project: Project) {
-  return layerNames.filter((name) => project.strokes.some((stroke) => stroke.layer === name));
-}
+import { layers, paintedLayers } from "../paint/layers";
+import type { Project } from "./project";
 
 /** Keys and values, as --set takes them, without [post]. */
 export function changedKeys(project: Project): [string, string][] {

@@ -5,7 +5,7 @@ const vertexShader = `
   attribute vec3 start, end;
   attribute vec2 growth;
   uniform vec2 resolution;
-  uniform float width;
+  uniform float width, lift;
   varying float passed;
   void main() {
     vec4 a = projectionMatrix * modelViewMatrix * vec4(start, 1.0);
@@ -14,17 +14,18 @@ const vertexShader = `
     vec2 across = length(along) > 0.0 ? normalize(vec2(-along.y, along.x)) : vec2(0.0);
     gl_Position = position.x < 0.5 ? a : b;
     gl_Position.xy += position.y * width * across / resolution * gl_Position.w;
-    gl_Position.z -= 5e-5 * gl_Position.w; // in front of the surface that it lies on
+    gl_Position.z -= lift * gl_Position.w; // in front of the surface that it lies on
     passed = position.x < 0.5 ? growth.x : growth.y;
   }`;
 
 const fragmentShader = `
   uniform float time;
-  uniform vec3 color;
+  uniform vec3 color, oldest, youngest;
+  uniform bool byAge;
   varying float passed;
   void main() {
     if (passed > time) discard;
-    gl_FragColor = vec4(color, 1.0);
+    gl_FragColor = vec4(byAge ? mix(oldest, youngest, passed) : color, 1.0);
     #include <colorspace_fragment>
   }`;
 
@@ -34,8 +35,12 @@ export class CrackLines {
   private readonly uniforms = {
     resolution: { value: new three.Vector2(1, 1) },
     width: { value: 2 }, // pixels
+    lift: { value: 5e-5 }, // toward the eye, in depth
     time: { value: 1 },
     color: { value: new three.Color(0x1b130e) },
+    byAge: { value: false },
+    oldest: { value: new three.Color(0x3a0c5e) },
+    youngest: { value: new three.Color(0xf0a020) },
   };
 
   constructor() {
@@ -70,5 +75,18 @@ export class CrackLines {
 
   showUntil(time: number): void {
     this.uniforms.time.value = time;
+  }
+
+  setColor(color: number): void {
+    this.uniforms.color.value.set(color);
+  }
+
+  /** The first cracks dark, the last ones light. */
+  showAge(shown: boolean): void {
+    this.uniforms.byAge.value = shown;
+  }
+
+  lift(depth: number): void {
+    this.uniforms.lift.value = depth;
   }
 }

@@ -40,6 +40,17 @@ export class Growth {
     step();
   }
 
+  /** The same frame by frame, each of them seen, whatever motion is wanted: for a film. */
+  async film(): Promise<void> {
+    const clip = ++this.clip;
+    const begin = performance.now();
+    for (let time = 0; clip === this.clip && time < 1; ) {
+      time = Math.min((performance.now() - begin) / (1000 * seconds), 1);
+      await this.at(time);
+      await new Promise(requestAnimationFrame);
+    }
+  }
+
   private async at(time: number): Promise<void> {
     this.tell(time);
     this.stage.showUntil(time);

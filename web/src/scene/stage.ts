@@ -1,27 +1,36 @@
-// What is seen: the input until there are cracks and while it is painted, else the cracked surface.
-import type { InputMesh, Moment, Picture } from "../engine/messages";
-import { CrackLines } from "./crack_lines";
+// What is seen: the input until there are cracks and while it is painted, cracks as they are
+// computed, else the cracked surface, or its state, or another result beside it.
+import type { Fields, InputMesh, Moment, OpenedPieces, Picture } from "../engine/messages";
+import { CrackedPicture } from "./cracked_picture";
+import { HeatMap, type HeatName } from "./heat_map";
+import { LiveCracks } from "./live_cracks";
 import { Surface } from "./surface";
 import { Viewer } from "./viewer";
 
 export class Stage {
   readonly viewer: Viewer;
   private readonly input = new Surface();
-  private readonly cracked = new Surface();
-  private readonly lines = new CrackLines();
+  private readonly cracked = new CrackedPicture();
+  private readonly kept = new CrackedPicture();
+  private readonly live = new LiveCracks();
+  private readonly heat = new HeatMap();
   private mesh: InputMesh | null = null;
-  private hasPicture = false;
   private painting = false;
+  private hot = false;
 
   constructor(canvas: HTMLCanvasElement) {
     this.viewer = new Viewer(canvas);
-    this.viewer.scene.add(this.input.object, this.cracked.object, this.lines.object);
+    const { input, cracked, kept, live, heat } = this;
+    for (const { object } of [input, cracked, kept, live, heat]) this.viewer.scene.add(object);
     this.update();
   }
 
   setInput(mesh: InputMesh, low: readonly number[], size: readonly number[]): void {
     this.mesh = mesh;
-    this.hasPicture = false;
+    this.cracked.clear();
+    this.live.clear();
+    this.keep(null);
+    this.hot = false;
     const positions = new Float32Array(3 * mesh.triangles.length);
     mesh.triangles.forEach((vertex, corner) =>
       positions.set(mesh.positions.subarray(3 * vertex, 3 * vertex + 3), 3 * corner),
@@ -32,31 +41,97 @@ export class Stage {
   }
 
   setPicture(picture: Picture): void {
-    this.cracked.set(picture.positions, picture.normals, picture.fragments, picture.walls);
-    this.lines.set(picture.lines, picture.lineGrowth);
-    this.hasPicture = true;
+    this.cracked.set(picture);
+    this.live.clear();
     this.update();
   }
 
+  /** Pieces of crack of a run that is under way. */
+  addLive(pieces: OpenedPieces): void {
+    this.live.add(pieces);
+    this.update();
+  }
+
+  get isLive(): boolean {
+    return !this.live.empty;
+  }
+
+  /** The run that was under way came to nothing: the last picture is seen again. */
+  endLive(): void {
+    this.live.clear();
+    this.update();
+  }
+
+  /** The state of the result in the place of its surface; returns what the scale ends at. */
+  showHeat(fields: Fields, name: HeatName): number {
+    const end = this.heat.set(fields, name);
+    this.hot = true;
+    this.update();
+    return end;
+  }
+
+  hideHeat(): void {
+    this.hot = false;
+    this.update();
+  }
+
+  showMarks(shown: boolean): void {
+    this.heat.showMarks(shown);
+    this.viewer.draw();
+  }
+
   setMoment(moment: Moment): void {
-    this.cracked.move(moment.positions);
-    this.lines.move(moment.lines);
+    this.cracked.move(moment);
     this.viewer.draw();
   }
 
   showUntil(time: number): void {
-    this.lines.showUntil(time);
+    this.cracked.lines.showUntil(time);
     this.viewer.draw();
   }
 
   setLook(material: string): void {
     this.input.setLook(material);
-    this.cracked.setLook(material);
+    this.cracked.surface.setLook(material);
     this.viewer.draw();
   }
 
   showFragments(colored: boolean): void {
-    this.cracked.showFragments(colored);
+    this.cracked.surface.showFragments(colored);
+    this.viewer.draw();
+  }
+
+  showAge(shown: boolean): void {
+    this.cracked.lines.showAge(shown);
+    this.viewer.draw();
+  }
+
+  setLineColor(color: number): void {
+    for (const { lines } of [this.cracked, this.kept]) lines.setColor(color);
+    this.viewer.draw();
+  }
+
+  showWireframe(shown: boolean): void {
+    this.input.showWireframe(shown);
+    this.cracked.surface.showWireframe(shown);
+    this.viewer.draw();
+  }
+
+  /** Keeps a picture to see beside those to come, with its look; null: none any more. */
+  keep(picture: { picture: Picture; material: string } | null): void {
+    if (picture) {
+      this.kept.surface.setLook(picture.material);
+      this.kept.set(picture.picture);
+    } else {
+      this.kept.clear();
+    }
+    this.viewer.split = picture ? { at: 0.5, show: (side) => this.showSide(side) } : null;
+    this.update();
+  }
+
+  /** Where the two pictures meet, 0 … 1 of the width. */
+  splitAt(at: number): void {
+    if (this.viewer.split) this.viewer.split.at = at;
     this.viewer.draw();
   }
 
@@ -67,11 +142,26 @@ export class Stage {
     this.update();
   }
 
+  private showSide(side: "left" | "right"): void {
+    this.arrange();
+    if (side === "right") return;
+    for (const { object } of [this.input, this.cracked, this.live, this.heat]) object.visible = false;
+    this.kept.show(true, true);
+  }
+
   private update(): void {
-    const cracks = this.hasPicture && !this.painting;
-    this.input.object.visible = !cracks;
-    this.cracked.object.visible = cracks;
-    this.lines.object.visible = this.hasPicture;
+    this.arrange();
     this.viewer.draw();
+  }
+
+  private arrange(): void {
+    const running = !this.live.empty;
+    const hot = this.hot && !running && !this.painting;
+    const cracks = this.cracked.there && !this.painting && !running && !hot;
+    this.input.object.visible = !cracks && !hot;
+    this.cracked.show(cracks, this.cracked.there && !running);
+    this.live.object.visible = running;
+    this.heat.object.visible = hot;
+    this.kept.show(false, false);
   }
 }

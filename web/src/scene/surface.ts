@@ -2,13 +2,15 @@
 import * as three from "three";
 
 const looks: Record<string, { color: number; roughness: number }> = {
-  glaze: { color: 0xb9cbbb, roughness: 0.3 },
+  glaze: { color: 0xb9cbbb, roughness: 0.22 },
   mud: { color: 0x9a7b5c, roughness: 0.95 },
   glass: { color: 0xcfe4e6, roughness: 0.08 },
   plaster: { color: 0xd8d2c8, roughness: 0.9 },
   clay: { color: 0xb9795a, roughness: 0.8 },
   paint: { color: 0xb04a3a, roughness: 0.45 },
 };
+
+type Rgb = readonly [number, number, number];
 
 /** A colour per number, far from those of the numbers beside it. */
 function colorOf(number: number): three.Color {
@@ -23,7 +25,13 @@ export class Surface {
   private colored = false;
 
   constructor() {
-    const material = new three.MeshStandardMaterial({ vertexColors: true, side: three.DoubleSide });
+    const material = new three.MeshStandardMaterial({
+      vertexColors: true,
+      side: three.DoubleSide,
+      polygonOffset: true, // lines that lie on it are in front
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
+    });
     this.object = new three.Mesh(new three.BufferGeometry(), material);
   }
 
@@ -63,29 +71,41 @@ export class Surface {
     this.paintAll();
   }
 
+  showWireframe(shown: boolean): void {
+    this.object.material.wireframe = shown;
+  }
+
+  /** Linear colours of its corners. */
+  color(of: (corner: number) => Rgb): void {
+    const colors = this.object.geometry.getAttribute("color");
+    if (!colors) return;
+    for (let corner = 0; corner < colors.count; ++corner) colors.setXYZ(corner, ...of(corner));
+    colors.needsUpdate = true;
+  }
+
   /** Mixes a colour in: `paint` is one per vertex, 0 … 1. */
   overlay(paint: Float32Array | null, triangles: Uint32Array, color: number): void {
     this.paintAll();
-    const colors = this.object.geometry.getAttribute("color");
-    if (!paint || !colors) return;
+    if (!paint) return;
     const [base, mixed] = [new three.Color(looks[this.look]!.color), new three.Color()];
     const top = new three.Color(color);
-    triangles.forEach((vertex, corner) => {
-      mixed.lerpColors(base, top, 0.85 * paint[vertex]!);
-      colors.setXYZ(corner, mixed.r, mixed.g, mixed.b);
+    this.color((corner) => {
+      mixed.lerpColors(base, top, 0.85 * Math.min(paint[triangles[corner]!]!, 1));
+      return [mixed.r, mixed.g, mixed.b];
     });
   }
 
   private paintAll(): void {
-    const colors = this.object.geometry.getAttribute("color");
-    if (!colors) return;
     const base = new three.Color(looks[this.look]!.color);
     const wall = base.clone().multiplyScalar(0.25);
-    for (let f = 0; f < colors.count / 3; ++f) {
+    let [face, rgb]: [number, Rgb] = [-1, [0, 0, 0]];
+    this.color((corner) => {
+      const f = Math.floor(corner / 3);
+      if (f === face) return rgb;
+      face = f;
       const own = this.colored && this.fragments ? colorOf(this.fragments[f]!) : base;
-      const color = this.walls?.[f] ? wall : own;
-      for (let k = 0; k < 3; ++k) colors.setXYZ(3 * f + k, color.r, color.g, color.b);
-    }
-    colors.needsUpdate = true;
+      const { r, g, b } = this.walls?.[f] ? wall : own;
+      return (rgb = [r, g, b]);
+    });
   }
 }

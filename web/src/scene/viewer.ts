@@ -1,10 +1,18 @@
 // The view: camera, light, and when to draw. Nothing is drawn while nothing changes.
 import * as three from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 
 const turn = Math.PI / 24; // of an arrow key
 
+/** Two pictures side by side under one camera: left of `at`, 0 … 1 of the width, and right of it. */
+export interface Split {
+  at: number;
+  show(side: "left" | "right"): void;
+}
+
 export class Viewer {
+  split: Split | null = null;
   readonly scene = new three.Scene();
   readonly camera = new three.PerspectiveCamera(30, 1, 0.01, 100);
   readonly controls: OrbitControls;
@@ -18,8 +26,12 @@ export class Viewer {
     this.renderer = new three.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.toneMapping = three.ACESFilmicToneMapping;
     this.camera.up.set(0, 0, 1);
-    this.scene.add(new three.HemisphereLight(0xffffff, 0x8d8478, 1.6));
-    const sun = new three.DirectionalLight(0xffffff, 0.9);
+    const room = new three.PMREMGenerator(this.renderer);
+    this.scene.environment = room.fromScene(new RoomEnvironment()).texture;
+    this.scene.environmentIntensity = 0.55;
+    room.dispose();
+    this.scene.add(new three.HemisphereLight(0xffffff, 0x8d8478, 0.7));
+    const sun = new three.DirectionalLight(0xffffff, 1.1);
     sun.position.set(-2, -3, 4);
     this.scene.add(sun);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -34,8 +46,30 @@ export class Viewer {
     this.asked = true;
     requestAnimationFrame(() => {
       this.asked = false;
-      this.renderer.render(this.scene, this.camera);
+      this.render();
     });
+  }
+
+  /** What is seen now, as PNG. */
+  picture(): Promise<Blob> {
+    this.render(); // a canvas keeps nothing from frame to frame
+    return new Promise((resolve, reject) =>
+      this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("no picture")))),
+    );
+  }
+
+  private render(): void {
+    if (!this.split) return this.renderer.render(this.scene, this.camera);
+    const { width, height } = this.renderer.getSize(new three.Vector2());
+    const left = Math.round(this.split.at * width);
+    this.renderer.setScissorTest(true);
+    this.split.show("left");
+    this.renderer.setScissor(0, 0, left, height);
+    this.renderer.render(this.scene, this.camera);
+    this.split.show("right");
+    this.renderer.setScissor(left, 0, width - left, height);
+    this.renderer.render(this.scene, this.camera);
+    this.renderer.setScissorTest(false);
   }
 
   /** Which axis points up. */

@@ -23,10 +23,13 @@ export function button(name: string, press: () => void, attributes: Attributes =
 export function radioGroup(name: string, choices: readonly Choice[], choose: (v: string) => void) {
   const group = element("fieldset", { role: "radiogroup", "aria-label": name });
   group.append(element("legend", {}, name));
-  for (const { value, label, help } of choices) {
+  for (const { value, label, help, picture } of choices) {
     const input = element("input", { type: "radio", name: `radio-${name}`, value });
     input.addEventListener("change", () => choose(value));
-    group.append(element("label", { title: help ?? "" }, input, label));
+    const row = element("label", { title: help ?? "" }, input);
+    if (picture) row.append(element("img", { src: picture, alt: "", width: "72", height: "54" }));
+    row.append(label);
+    group.append(row);
   }
   const show = (value: string) => {
     for (const input of group.querySelectorAll("input")) input.checked = input.value === value;
@@ -38,6 +41,7 @@ export interface Choice {
   value: string;
   label: string;
   help?: string;
+  picture?: string | undefined; // its address
 }
 
 export function combobox(name: string, choices: readonly Choice[], choose: (v: string) => void) {

@@ -2,6 +2,7 @@
 import type { Project } from "../project/project";
 import { parameter, presetTable } from "../project/tables";
 import { button, checkbox, combobox, element, radioGroup, type Choice } from "./elements";
+import { pictureOf } from "./preset_pictures";
 import { Slider } from "./slider";
 
 export const paints = ["None", "Stress", "Strength", "Spacing", "Mask", "Impact"] as const;
@@ -22,7 +23,8 @@ export interface Actions {
   change(change: Partial<Project>): void;
   growth(time: number): void;
   paint(paint: Paint): void;
-  fragments(shown: boolean): void;
+  fill(): void;
+  invert(): void;
 }
 
 const shapes: Choice[] = [
@@ -40,6 +42,9 @@ const formats: Choice[] = [
   { value: "glb", label: "GLB" },
   { value: "stl", label: "STL" },
   { value: "usda", label: "USDA" },
+  { value: "svg", label: "Lines (SVG)" },
+  { value: "png", label: "Picture (PNG)" },
+  { value: "webm", label: "Film (WebM)" },
   { value: "painted.ply", label: "Painted input (PLY)" },
 ];
 
@@ -56,16 +61,20 @@ export class Panel {
   readonly growth;
   readonly brushSize;
   readonly brushStrength;
+  readonly along = checkbox("Along the stroke", () => {});
   readonly erase = checkbox("Erase", () => {});
   readonly mirror = checkbox("Mirror in x", () => {});
   private readonly cancelButton;
+  private readonly fillButton;
+  private readonly invertButton;
   private readonly undoButton;
   private readonly redoButton;
   private readonly status = element("p", { role: "status", "aria-label": "Progress" });
   private readonly bar = element("progress", { "aria-hidden": "true", max: "1", value: "0" });
   private readonly error = element("p", { role: "alert", class: "error" });
 
-  constructor(actions: Actions) {
+  /** `more`: sections that have panels of their own. */
+  constructor(actions: Actions, more: { see: HTMLElement; statistics: HTMLElement }) {
     const slider = (name: string, key: keyof Project & string, of: string, high: number) =>
       new Slider({
         name,
@@ -78,6 +87,7 @@ export class Panel {
       value,
       label: value,
       help: description,
+      picture: pictureOf(value),
     }));
     this.presets = radioGroup("Preset", choices, (preset) =>
       actions.change({ preset, spacing: null, load: null }),
@@ -108,13 +118,18 @@ export class Panel {
     this.paintGroup = radioGroup(
       "Paint",
       paints.map((value) => ({ value, label: value })),
-      (paint) => actions.paint(paint as Paint),
+      (paint) => {
+        this.showBrush(paint as Paint);
+        actions.paint(paint as Paint);
+      },
     );
+    this.along.row.title = "Stress pulls in the direction in which the brush goes";
+    this.fillButton = button("Fill", actions.fill);
+    this.invertButton = button("Invert", actions.invert);
     this.cancelButton = button("Cancel", actions.cancel);
     this.undoButton = button("Undo", actions.undo, { "aria-keyshortcuts": "Control+Z" });
     this.redoButton = button("Redo", actions.redo, { "aria-keyshortcuts": "Control+Shift+Z" });
     const format = combobox("Export format", formats, () => {});
-    const fragments = checkbox("Colour fragments", actions.fragments);
     const row = (...children: Node[]) => element("div", { class: "buttons" }, ...children);
     const group = (title: string, ...children: Node[]) =>
       element("section", {}, element("h2", {}, title), ...children);
@@ -132,15 +147,19 @@ export class Panel {
       this.error,
       group("Cracks", this.spacing.row, this.load.row),
       group("Opening", this.gap.row, this.wall.row, this.curl.row),
-      group("Growth", this.growth.row, row(button("Play", actions.play)), fragments.row),
+      group("Growth", this.growth.row, row(button("Play", actions.play))),
       this.paintGroup.group,
       group(
         "Brush",
         this.brushSize.row,
         this.brushStrength.row,
+        this.along.row,
         this.erase.row,
         this.mirror.row,
+        row(this.fillButton, this.invertButton),
       ),
+      more.see,
+      more.statistics,
       group(
         "Keep",
         format.row,
@@ -153,6 +172,12 @@ export class Panel {
       ),
     );
     this.paintGroup.show("None");
+    this.showBrush("None");
+  }
+
+  private showBrush(paint: Paint): void {
+    this.along.input.disabled = paint !== "Stress";
+    this.fillButton.disabled = this.invertButton.disabled = paint === "None" || paint === "Impact";
   }
 
   /** `diagonal`: of the input, which lengths go by; `spacing`: what holds where none is set. */

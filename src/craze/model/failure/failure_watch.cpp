@@ -172,6 +172,11 @@ const Mat3& FailureWatch::weakness(const Scene& scene, std::int32_t v) {
   return scar.weakness;
 }
 
+Sym3 FailureWatch::residual(std::int32_t v) const {
+  const auto found = residuals_.find(v);
+  return found == residuals_.end() ? Sym3{} : found->second;
+}
+
 void FailureWatch::could_not_open(std::int32_t v) {
   queue_.remove(v);
   residuals_.erase(v);

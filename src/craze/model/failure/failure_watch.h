@@ -59,6 +59,8 @@ class FailureWatch {
   /// The node with the greatest measure, evaluated exactly; −1 where none can fail.
   std::int32_t next(const Scene& scene);
   double measure(std::int32_t v) const { return queue_.measure(v); }
+  /// Eq. 8's residual of a node at the load that was reached, force; zero but at live tips.
+  Sym3 residual(std::int32_t v) const;
   /// The plane by which v, that next() found, opens: n̂⁺ of ς, or, for a tip that looks ahead, of
   /// the mean stress there (stress_ahead.h) in the place of ς.
   CrackPlane crack_plane(const Scene& scene, std::int32_t v);
