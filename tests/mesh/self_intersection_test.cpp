@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "products/distance/surfaces.h"
 
 namespace craze {
@@ -63,6 +65,52 @@ TEST(SelfIntersection, ATreeFindsWhatComparingAllPairsFinds) {
   EXPECT_GT(expected.size(), 20u);
   EXPECT_EQ(self_intersections(p, t), expected);
   EXPECT_EQ(self_intersections(p, t, 7).size(), 7u);
+}
+
+TEST(SelfIntersection, WhatIsAskedAgainAfterSomeHasMovedIsWhatAskingAnewSays) {
+  Random random(6);
+  const auto normal = [&] { return Vec3(random.normal(), random.normal(), random.normal()); };
+  constexpr std::int32_t count = 6000;  // more than one task
+  std::vector<Vec3> p;
+  std::vector<Triangle> t;
+  for (std::int32_t f = 0; f < count; ++f) {
+    const Vec3 at(random.uniform(), random.uniform(), random.uniform());
+    for (int i = 0; i < 3; ++i) p.emplace_back(at + 0.02 * normal());
+    t.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+  }
+  const Pairs all = self_intersections(p, t);
+  ASSERT_GT(all.size(), 500u);
+  for (const std::size_t limit : {std::size_t{SIZE_MAX}, all.size() + 20, all.size() / 2}) {
+    for (const int threads : {1, 3}) {
+      Context context;
+      context.threads = threads;
+      SelfIntersections crossings(t, limit);
+      std::vector<Vec3> moved = p;
+      for (int round = 0; round < 12; ++round) {
+        EXPECT_EQ(crossings.at(moved, context), self_intersections(moved, t, limit))
+            << threads << " " << limit << " " << round;
+        for (int n = 0; n < 40 * round; ++n) {
+          moved[static_cast<std::size_t>(random.uniform() * 3 * count)] += 0.02 * normal();
+        }
+      }
+    }
+  }
+}
+
+TEST(SelfIntersection, ACancelledQuestionIsAskedAnew) {
+  const TriangleMesh plate = test::plate(60, 0);
+  std::vector<Vec3> folded = plate.positions();
+  for (Vec3& p : folded) {
+    p.z() = (p.x() - 0.4) * std::sin(20 * p.y());
+    p.x() = std::abs(p.x() - 0.4);
+  }
+  SelfIntersections crossings(plate.triangles(), SIZE_MAX);
+  Context impatient;
+  EXPECT_TRUE(crossings.at(plate.positions(), impatient).empty());
+  impatient.cancelled = [] { return true; };
+  EXPECT_THROW(crossings.at(folded, impatient), Cancelled);
+  EXPECT_EQ(crossings.at(folded, {}), self_intersections(folded, plate.triangles()));
+  EXPECT_FALSE(crossings.at(folded, {}).empty());
 }
 
 }  // namespace

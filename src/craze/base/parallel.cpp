@@ -11,14 +11,16 @@
 namespace craze {
 
 void parallel_for(const Threads& threads, std::size_t n, std::size_t grain,
-                  const std::function<void(std::size_t, std::size_t)>& body) {
+                  const std::function<void(std::size_t, std::size_t)>& body,
+                  const std::type_info* name) {
   assert(grain > 0);
   const std::size_t chunks = n / grain + (n % grain != 0 ? 1 : 0);
   const auto run_chunk = [&](std::size_t c) { body(c * grain, std::min(n, (c + 1) * grain)); };
-  if (!threads.executor() || chunks <= 1) {
+  if (!threads.executor()) {
     for (std::size_t c = 0; c < chunks; ++c) run_chunk(c);
     return;
   }
+  if (chunks == 0) return;
   // Chunks before a failed one still run, so that the first failure is found whatever the order.
   std::atomic<std::size_t> failed{chunks};
   std::exception_ptr error;
@@ -34,7 +36,7 @@ void parallel_for(const Threads& threads, std::size_t n, std::size_t grain,
       error = std::current_exception();
     }
   };
-  threads.executor()->run(chunks, std::ref(try_chunk));
+  threads.executor()->run(chunks, std::ref(try_chunk), name ? *name : body.target_type());
   if (error) std::rethrow_exception(error);
 }
 

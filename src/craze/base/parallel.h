@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <typeinfo>
 
 #include "craze/threads.h"
 
@@ -13,8 +14,10 @@ namespace craze {
 /// or to one slot per chunk, gives the same result on any number. One thread, or a single chunk:
 /// runs in the calling thread. Where bodies throw, the exception of the first such chunk comes
 /// out, as it would from one thread; which later chunks have run is then open. A body may call
-/// parallel_for itself.
+/// parallel_for itself. Where loops are timed (work_and_span.h) this one goes by
+/// `name`, or the type of its body.
 void parallel_for(const Threads& threads, std::size_t n, std::size_t grain,
-                  const std::function<void(std::size_t, std::size_t)>& body);
+                  const std::function<void(std::size_t, std::size_t)>& body,
+                  const std::type_info* name = nullptr);
 
 }  // namespace craze

@@ -17,7 +17,7 @@ class Arena : public Executor {
       : arena_(std::min(threads, tbb::this_task_arena::max_concurrency())) {}
 
  private:
-  void share_out(std::size_t n, const Task& task) override {
+  void share_out(std::size_t n, const Task& task, const std::type_info&) override {
     arena_.execute([&] { tbb::parallel_for(std::size_t{0}, n, task); });
   }
 

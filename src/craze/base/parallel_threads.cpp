@@ -51,7 +51,7 @@ class Pool : public Executor {
   }
 
  private:
-  void share_out(std::size_t n, const Task& task) override {
+  void share_out(std::size_t n, const Task& task, const std::type_info&) override {
     start_workers(n - 1);
     task_ = &task;
     end_ = n;

@@ -26,8 +26,9 @@ inline void reporting_loop(const Context& context, std::string_view phase, std::
   for (std::size_t begin = 0; begin < n;) {
     const std::size_t end = std::min(n, begin + chunks * grain);
     const auto start = Clock::now();
-    parallel_for(context.threads, end - begin, grain,
-                 [&](std::size_t b, std::size_t e) { body(begin + b, begin + e); });
+    parallel_for(
+        context.threads, end - begin, grain,
+        [&](std::size_t b, std::size_t e) { body(begin + b, begin + e); }, &body.target_type());
     const auto took = Clock::now() - start;
     if (took < short_slice) chunks *= 2;
     if (took > long_slice) chunks = std::max(fewest, chunks / 2);

@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+
+#include "craze/base/parallel.h"
 
 namespace craze {
 
@@ -76,10 +79,17 @@ class Triangles {
   const std::vector<Triangle>& triangles_;
 };
 
+}  // namespace
+
 /// A tree of boxes over the triangles: node i has the children 2 i + 1 and 2 i + 2.
-class BoxTree {
+class SelfIntersections::BoxTree {
  public:
-  BoxTree(const Triangles& triangles, std::size_t count) : order_(count) {
+  /// Pairs of nodes; of a node with itself: the pairs within.
+  struct Task {
+    std::size_t a, b;
+  };
+
+  BoxTree(const Triangles& triangles, std::size_t count) : order_(count), moved_(count, 1) {
     std::iota(order_.begin(), order_.end(), 0);
     boxes_.reserve(count);
     for (std::size_t f = 0; f < count; ++f) {
@@ -88,18 +98,58 @@ class BoxTree {
     if (count > 0) build(0, 0, count);
   }
 
+  bool has_moved(std::int32_t f) const { return moved_[f] != 0; }
+
+  /// Takes the boxes of the triangles that have moved (#F) anew, and those around them.
+  void refit(const Triangles& triangles, std::vector<char> moved) {
+    moved_ = std::move(moved);
+    for (std::size_t f = 0; f < moved_.size(); ++f) {
+      if (moved_[f]) boxes_[f] = triangles.box(static_cast<std::int32_t>(f));
+    }
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+      Node& node = nodes_[i];
+      node.moved = false;
+      Box box;
+      if (node.is_leaf()) {
+        for (std::size_t k = node.begin; k < node.end; ++k) {
+          box.extend(boxes_[order_[k]]);
+          node.moved = node.moved || moved_[order_[k]];
+        }
+      } else {
+        const Node &first = nodes_[2 * i + 1], &second = nodes_[2 * i + 2];
+        node.moved = first.moved || second.moved;
+        box = first.box.merged(second.box);
+      }
+      node.box = box;
+    }
+  }
+
+  /// What there is to do, in pieces: for_each_pair() of one after the other meets all pairs of
+  /// which one has moved, in one order.
+  std::vector<Task> tasks() const {
+    std::vector<Task> tasks;
+    if (!order_.empty()) split(0, tasks);
+    return tasks;
+  }
+
   /// Calls visit(f, g) for the pairs whose boxes touch, until it returns false.
   template <class Visit>
-  void for_each_pair(Visit&& visit) const {
-    if (!order_.empty()) within(0, visit);
+  void for_each_pair(const Task& task, Visit&& visit) const {
+    if (task.a == task.b) {
+      within(task.a, visit);
+    } else {
+      between(task.a, task.b, visit);
+    }
   }
 
  private:
-  static constexpr std::size_t leaf = 4;
+  static constexpr std::size_t leaf = 4, most_in_task = 2048;
   struct Node {
     Box box;
     std::size_t begin = 0, end = 0;
-    bool is_leaf() const { return end - begin <= leaf; }
+    bool moved = true;  // something in it
+    std::size_t size() const { return end - begin; }
+    bool is_leaf() const { return size() <= leaf; }
   };
 
   void build(std::size_t node, std::size_t begin, std::size_t end) {
@@ -123,8 +173,42 @@ class BoxTree {
     build(2 * node + 2, middle, end);
   }
 
+  bool apart(const Node& x, const Node& y) const {
+    return !(x.moved || y.moved) || !x.box.intersects(y.box);
+  }
+  /// Which of two nodes, not both of them leaves, falls into its halves.
+  static bool first_is_split(const Node& x, const Node& y) {
+    return y.is_leaf() || (!x.is_leaf() && x.size() >= y.size());
+  }
+
+  void split(std::size_t node, std::vector<Task>& tasks) const {
+    if (!nodes_[node].moved) return;
+    if (nodes_[node].size() <= most_in_task) {
+      tasks.push_back({node, node});
+      return;
+    }
+    split(2 * node + 1, tasks);
+    split(2 * node + 2, tasks);
+    split(2 * node + 1, 2 * node + 2, tasks);
+  }
+
+  void split(std::size_t a, std::size_t b, std::vector<Task>& tasks) const {
+    const Node &x = nodes_[a], &y = nodes_[b];
+    if (apart(x, y)) return;
+    if (x.size() <= most_in_task && y.size() <= most_in_task) {
+      tasks.push_back({a, b});
+    } else if (first_is_split(x, y)) {
+      split(2 * a + 1, b, tasks);
+      split(2 * a + 2, b, tasks);
+    } else {
+      split(a, 2 * b + 1, tasks);
+      split(a, 2 * b + 2, tasks);
+    }
+  }
+
   template <class Visit>
   bool within(std::size_t node, Visit& visit) const {
+    if (!nodes_[node].moved) return true;
     if (nodes_[node].is_leaf()) return leaves(node, node, visit);
     return within(2 * node + 1, visit) && within(2 * node + 2, visit) &&
            between(2 * node + 1, 2 * node + 2, visit);
@@ -133,9 +217,9 @@ class BoxTree {
   template <class Visit>
   bool between(std::size_t a, std::size_t b, Visit& visit) const {
     const Node &x = nodes_[a], &y = nodes_[b];
-    if (!x.box.intersects(y.box)) return true;
+    if (apart(x, y)) return true;
     if (x.is_leaf() && y.is_leaf()) return leaves(a, b, visit);
-    if (y.is_leaf() || (!x.is_leaf() && x.end - x.begin >= y.end - y.begin)) {
+    if (first_is_split(x, y)) {
       return between(2 * a + 1, b, visit) && between(2 * a + 2, b, visit);
     }
     return between(a, 2 * b + 1, visit) && between(a, 2 * b + 2, visit);
@@ -144,8 +228,10 @@ class BoxTree {
   template <class Visit>
   bool leaves(std::size_t a, std::size_t b, Visit& visit) const {
     for (std::size_t i = nodes_[a].begin; i < nodes_[a].end; ++i) {
+      if (a != b && !boxes_[order_[i]].intersects(nodes_[b].box)) continue;
       for (std::size_t j = a == b ? i + 1 : nodes_[b].begin; j < nodes_[b].end; ++j) {
-        const auto [f, g] = std::minmax(order_[i], order_[j]);
+        const std::int32_t f = std::min(order_[i], order_[j]), g = std::max(order_[i], order_[j]);
+        if (!moved_[f] && !moved_[g]) continue;
         if (boxes_[f].intersects(boxes_[g]) && !visit(f, g)) return false;
       }
     }
@@ -153,27 +239,74 @@ class BoxTree {
   }
 
   std::vector<std::int32_t> order_;
+  std::vector<char> moved_;  // #F: since the pairs were last found
   std::vector<Box> boxes_;
   std::vector<Node> nodes_;
 };
 
-}  // namespace
+SelfIntersections::SelfIntersections(const std::vector<Triangle>& triangles, std::size_t limit)
+    : triangles_(triangles), limit_(limit) {}
+
+SelfIntersections::~SelfIntersections() = default;
+
+const SelfIntersections::Pairs& SelfIntersections::at(const std::vector<Vec3>& positions,
+                                                      const Context& context) {
+  // Of more pairs than the limit not all are known, and which ones hangs on the tree.
+  const bool knows_last = tree_ && pairs_.size() < limit_;
+  std::vector<char> moved(triangles_.size(), 0);
+  for (std::size_t f = 0; f < moved.size() && knows_last; ++f) {
+    for (const std::int32_t v : triangles_[f]) moved[f] |= positions_[v] != positions[v] ? 1 : 0;
+  }
+  positions_ = positions;
+  if (knows_last) {
+    tree_->refit({positions_, triangles_}, std::move(moved));
+    find(false, context);
+  }
+  if (!knows_last || pairs_.size() >= limit_) {
+    tree_ = std::make_unique<BoxTree>(Triangles{positions_, triangles_}, triangles_.size());
+    find(true, context);
+  }
+  return pairs_;
+}
+
+void SelfIntersections::find(bool all, const Context& context) {
+  constexpr std::size_t tasks_between_polls = 32;
+  const Triangles geometry(positions_, triangles_);
+  std::unique_ptr<BoxTree> tree = std::move(tree_);  // gone where it is cancelled
+  const std::vector<BoxTree::Task> tasks = tree->tasks();
+  Pairs kept;
+  if (!all) {
+    std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(kept), [&](const auto& pair) {
+      return !tree->has_moved(pair[0]) && !tree->has_moved(pair[1]);
+    });
+  }
+  pairs_ = std::move(kept);
+  std::array<Pairs, tasks_between_polls> found;
+  for (std::size_t begin = 0; begin < tasks.size() && pairs_.size() < limit_;
+       begin += tasks_between_polls) {
+    context.check();
+    const std::size_t count = std::min(tasks_between_polls, tasks.size() - begin);
+    parallel_for(context.threads, count, 1, [&](std::size_t i, std::size_t) {
+      found[i].clear();
+      tree->for_each_pair(tasks[begin + i], [&](std::int32_t f, std::int32_t g) {
+        if (geometry.cross(f, g)) found[i].push_back({f, g});
+        return found[i].size() < limit_;
+      });
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      pairs_.insert(pairs_.end(), found[i].begin(), found[i].end());
+    }
+  }
+  if (pairs_.size() > limit_) pairs_.resize(limit_);
+  std::sort(pairs_.begin(), pairs_.end());
+  tree_ = std::move(tree);
+}
 
 std::vector<std::array<std::int32_t, 2>> self_intersections(const std::vector<Vec3>& positions,
                                                             const std::vector<Triangle>& triangles,
                                                             std::size_t limit,
                                                             const Context& context) {
-  constexpr std::int64_t pairs_between_polls = 1 << 15;
-  std::int64_t seen = 0;
-  std::vector<std::array<std::int32_t, 2>> pairs;
-  const Triangles geometry(positions, triangles);
-  BoxTree(geometry, triangles.size()).for_each_pair([&](std::int32_t f, std::int32_t g) {
-    if (++seen % pairs_between_polls == 0) context.check();
-    if (geometry.cross(f, g)) pairs.push_back({f, g});
-    return pairs.size() < limit;
-  });
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  return SelfIntersections(triangles, limit).at(positions, context);
 }
 
 }  // namespace craze

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "craze/context.h"
@@ -19,5 +20,33 @@ std::vector<std::array<std::int32_t, 2>> self_intersections(const std::vector<Ve
                                                             const std::vector<Triangle>& triangles,
                                                             std::size_t limit = SIZE_MAX,
                                                             const Context& context = {});
+
+/// The same for a surface that is asked about again and again as some of it moves: only pairs of
+/// which one has moved since are looked at.
+class SelfIntersections {
+ public:
+  using Pairs = std::vector<std::array<std::int32_t, 2>>;
+
+  /// The triangles are not copied.
+  SelfIntersections(const std::vector<Triangle>& triangles, std::size_t limit);
+  ~SelfIntersections();
+  SelfIntersections(const SelfIntersections&) = delete;
+  SelfIntersections& operator=(const SelfIntersections&) = delete;
+
+  /// What self_intersections() says of these positions (#V, the same number each time); valid until
+  /// the next call. Throws Cancelled; the next call then begins anew.
+  const Pairs& at(const std::vector<Vec3>& positions, const Context& context);
+
+ private:
+  class BoxTree;
+
+  void find(bool all, const Context& context);
+
+  const std::vector<Triangle>& triangles_;
+  std::size_t limit_;
+  std::vector<Vec3> positions_;  // of the last call
+  std::unique_ptr<BoxTree> tree_;
+  Pairs pairs_;  // as far as they have been found
+};
 
 }  // namespace craze

@@ -1,10 +1,10 @@
 #include "craze/model/relaxation/equilibrium.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numeric>
 #include <unordered_map>
 
@@ -160,18 +160,19 @@ void Equilibrium::solve(const LayerState& layer, bool takes_all, const Threads& 
   // A question is asked in this thread alone: of a single patch, the one that may be large.
   const StopQuestion none;
   const StopQuestion& asked = patch_count_ == 1 ? stop : none;
-  const std::size_t workers = std::min(patch_count_, static_cast<std::size_t>(threads.count()));
-  if (marks_.size() < workers) marks_.resize(workers);
-  // Patches differ in size: each worker takes the next one. Which does which changes nothing.
-  std::atomic<std::size_t> next{0};
-  parallel_for(threads, workers, 1, [&](std::size_t worker, std::size_t) {
-    std::vector<std::int32_t>& mark = marks_[worker];
-    mark.resize(layer.mesh.vertex_count(), -1);
-    for (std::size_t i = next++; i < patch_count_; i = next++) {
-      Patch& patch = patches_[i];
-      patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), takes_all, seed_patch_,
-                         mark, asked);
+  std::mutex marks_mutex;
+  parallel_for(threads, patch_count_, 1, [&](std::size_t i, std::size_t) {
+    std::vector<std::int32_t> mark;  // whichever is left: they are all alike
+    if (const std::lock_guard lock(marks_mutex); !marks_.empty()) {
+      mark = std::move(marks_.back());
+      marks_.pop_back();
     }
+    mark.resize(layer.mesh.vertex_count(), -1);
+    Patch& patch = patches_[i];
+    patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), takes_all, seed_patch_,
+                       mark, asked);
+    const std::lock_guard lock(marks_mutex);
+    marks_.push_back(std::move(mark));
   });
   for (std::size_t i = 0; i < patch_count_; ++i) {
     for (const std::int32_t v : patches_[i].seeds) seed_patch_[v] = -1;

@@ -79,7 +79,8 @@ class Equilibrium {
   std::vector<Patch> patches_;  // storage kept between calls
   std::size_t patch_count_ = 0;
   std::vector<std::int32_t> seed_patch_;  // #V: the patch that a node is a seed of, −1: of none
-  std::vector<std::vector<std::int32_t>> marks_;  // #V each, −1: scratch, one per thread
+  std::vector<std::vector<std::int32_t>>
+      marks_;                        // #V each, −1: scratch, one for each solve under way
   std::vector<std::int32_t> group_;  // #V: the last group of patches applied together that read it
   std::int32_t groups_ = 0;
   std::vector<std::int32_t> slot_;  // #V, −1: index in the patch being applied

@@ -14,7 +14,7 @@ namespace craze {
 
 namespace {
 
-using Pairs = std::vector<std::array<std::int32_t, 2>>;
+using Pairs = SelfIntersections::Pairs;
 
 constexpr int rounds = 30;
 /// What is left of a share after each round in which it was too much.
@@ -31,14 +31,21 @@ constexpr double nothing = 0.03;
 /// Walls of this share of their depth are no deeper than need be.
 constexpr double shallow = 0.1;
 
+std::vector<Triangle> mesh_and_walls(const OpeningMotion& motion) {
+  std::vector<Triangle> triangles = motion.mesh.triangles();
+  triangles.insert(triangles.end(), motion.walls.triangles.begin(), motion.walls.triangles.end());
+  return triangles;
+}
+
 class Limiter {
  public:
   Limiter(const OpeningMotion& motion, const Context& context)
-      : motion_(motion), mesh_(motion.mesh), context_(context) {
-    triangles_ = mesh_.triangles();
-    triangles_.insert(triangles_.end(), motion.walls.triangles.begin(),
-                      motion.walls.triangles.end());
-    most_pairs_ = 4 * triangles_.size();
+      : motion_(motion),
+        mesh_(motion.mesh),
+        context_(context),
+        triangles_(mesh_and_walls(motion)),
+        most_pairs_(4 * triangles_.size()),
+        crossings_(triangles_, most_pairs_) {
     shares_.move.assign(mesh_.vertex_count(), 1);
     shares_.depth.assign(mesh_.vertex_count(), 1);
     spacing_ = 3 * natural_curl_length(mesh_, motion.sites);
@@ -167,7 +174,7 @@ class Limiter {
   }
 
   Pairs crossings(const std::vector<Vec3>& positions) {
-    Pairs pairs = self_intersections(positions, triangles_, most_pairs_, context_);
+    const Pairs& pairs = crossings_.at(positions, context_);
     if (pairs.empty()) return pairs;
     if (!knows_before_) {
       before_ = self_intersections(mesh_.positions(), mesh_.triangles(), most_pairs_, context_);
@@ -229,12 +236,13 @@ class Limiter {
   const OpeningMotion& motion_;
   const TriangleMesh& mesh_;
   const Context& context_;
-  std::vector<Triangle> triangles_;                 // of the mesh, then of the walls
+  std::vector<Triangle> triangles_;  // of the mesh, then of the walls
+  std::size_t most_pairs_;
+  SelfIntersections crossings_;                     // of triangles_
   std::vector<std::vector<std::int32_t>> on_site_;  // the vertices of each site
   double spacing_ = 0;                              // mean distance between cracks
   double growth_ = 1 / taper_per_spacing;           // of a share of the way, over such a distance
   OpeningShares shares_;
-  std::size_t most_pairs_;
   Pairs before_;  // crossings of the mesh as it is
   bool knows_before_ = false;
   std::vector<std::int32_t> shell_;  // #V: parts of the mesh with its cracks shut
