@@ -47,8 +47,9 @@ SurfacePoint closest_surface_point(const TriangleMesh& mesh, const Vec3& point,
     for (std::size_t i = begin; i < end; ++i) {
       const auto f = static_cast<std::int32_t>(i);
       const Triangle& t = mesh.triangle(f);
+      const Vec3 a = mesh.position_near(t[0], point);
       const Vec3 q =
-          closest_on_triangle(point, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+          closest_on_triangle(point, a, mesh.position_near(t[1], a), mesh.position_near(t[2], a));
       const double d = (q - point).norm();
       if (d < mine.distance) mine = {f, q, d};
     }
