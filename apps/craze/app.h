@@ -22,6 +22,7 @@ void add_figures(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
 void add_dataset(CLI::App& app, Action& action);
 void add_studio(CLI::App& app, Action& action);
+void add_texture(CLI::App& app, Action& action);
 void add_presets(CLI::App& app, Action& action);
 void add_parameters(CLI::App& app, Action& action);
 

@@ -51,6 +51,7 @@ int run_command(int argc, char** argv, MessageStyle style) {
   add_crack(app, action);
   add_render(app, action);
   add_bake(app, action);
+  add_texture(app, action);
   add_stats(app, action);
   add_check(app, action);
   add_dataset(app, action);

@@ -8,28 +8,29 @@ namespace craze::app {
 namespace {
 
 /// "mask, height, …".
-std::string map_names() {
+std::string map_names(const std::vector<MapInfo>& table) {
   std::string names;
-  for (const MapInfo& info : map_table()) {
+  for (const MapInfo& info : table) {
     names += (names.empty() ? "" : ", ") + std::string(info.name);
   }
   return names;
 }
 
-}  // namespace
-
-void add_map_options(CLI::App& verb, MapsRequest& maps, const char* group) {
+void add_options(CLI::App& verb, MapsRequest& maps, const char* group, bool of_tile,
+                 const std::string& which, const char* size) {
   verb.add_option_function<std::vector<std::string>>(
           "--map",
-          [&maps](const std::vector<std::string>& names) {
-            for (const std::string& name : names) maps.options.maps.push_back(find_map(name));
+          [&maps, of_tile](const std::vector<std::string>& names) {
+            for (const std::string& name : names) {
+              maps.options.maps.push_back(find_map(name, of_tile));
+            }
           },
-          "Which ones, as often as you like; all where none is named: " + map_names())
+          "Which ones, as often as you like; " + which)
       ->type_name("NAME")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->group(group);
-  verb.add_option("--map-size", maps.options.size, "Texels along each side")
+  verb.add_option(size, maps.options.size, "Texels along each side")
       ->type_name("N")
       ->check(CLI::Range(1, MapOptions::largest_size))
       ->capture_default_str()
@@ -52,6 +53,21 @@ void add_map_options(CLI::App& verb, MapsRequest& maps, const char* group) {
       ->type_name("WAY")
       ->default_str("up")
       ->group(group);
+}
+
+}  // namespace
+
+void add_map_options(CLI::App& verb, MapsRequest& maps, const char* group) {
+  add_options(verb, maps, group, false, "all where none is named: " + map_names(map_table()),
+              "--map-size");
+}
+
+void add_texture_map_options(CLI::App& verb, MapsRequest& maps, const char* group) {
+  add_options(verb, maps, group, true,
+              map_names(material_map_table()) +
+                  ", or of those of craze bake; base_color, normal, height, occlusion, roughness, "
+                  "mask and fragment where none is named",
+              "--size,--map-size");
 }
 
 void add_stain_option(CLI::App& verb, CrackStain& stain, const char* group) {

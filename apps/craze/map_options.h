@@ -13,6 +13,9 @@ namespace craze::app {
 /// --map, --map-size, --map-format, --map-green.
 void add_map_options(CLI::App& verb, MapsRequest& maps, const char* group);
 
+/// The same of tiles, which have a material's maps as well; --size names the texels too.
+void add_texture_map_options(CLI::App& verb, MapsRequest& maps, const char* group);
+
 /// --stain.
 void add_stain_option(CLI::App& verb, CrackStain& stain, const char* group);
 

@@ -27,6 +27,8 @@ enum class MapKind {
   crack,
   fragment,
   position,
+  base_color,  ///< of tiles alone, as is the next (material_map_table)
+  roughness,
 };
 
 /// What the numbers of a map are.
@@ -37,6 +39,7 @@ enum class MapValues {
   inverse_length,  ///< 1 / model units
   load,            ///< load factor, or simulated time
   id,              ///< whole numbers from 1; 0: none. Never mixed
+  color,           ///< linear, 0 … 1
 };
 
 struct MapInfo {
@@ -47,11 +50,13 @@ struct MapInfo {
   std::string_view text;
 };
 
-/// Every map, in the order of MapKind: the one table that help, checks and files read.
+/// Every map of a surface, in the order of MapKind: the one table that help, checks and files read.
 const std::vector<MapInfo>& map_table();
+/// What a tile has as well, in the order that goes on from there.
+const std::vector<MapInfo>& material_map_table();
 const MapInfo& map_info(MapKind kind);
-/// Throws Error(usage) for a name that is none.
-MapKind find_map(const std::string& name);
+/// Throws Error(usage) for a name that is none. of_tile: material_map_table() counts too.
+MapKind find_map(const std::string& name, bool of_tile = false);
 
 struct MapOptions {
   static constexpr int largest_size = 8192;

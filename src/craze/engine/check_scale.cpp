@@ -16,11 +16,12 @@ namespace {
 // Measured at the end of runs with all outputs: 0.75 to 0.95 kB, and half of it again for cracks.
 constexpr double bytes_per_triangle = 1400;
 
-double total_area(const SurfaceMesh& surface) {
+double total_area(const SurfaceMesh& surface, const Period& period) {
   double area = 0;
   for (const Triangle& t : surface.triangles) {
     const Vec3& a = surface.positions[t[0]];
-    area += 0.5 * (surface.positions[t[1]] - a).cross(surface.positions[t[2]] - a).norm();
+    const Vec3 ab = period.shortest(surface.positions[t[1]] - a);
+    area += 0.5 * ab.cross(period.shortest(surface.positions[t[2]] - a)).norm();
   }
   return area;
 }
@@ -34,9 +35,9 @@ double physical_memory() {
 }
 
 void check_scale(const SurfaceMesh& surface, const Recipe& recipe, double target_edge,
-                 double memory) {
+                 double memory, const Period& period) {
   const double spacing = recipe.simulation.layer.spacing;
-  const double diagonal = bounding_diagonal(surface.positions);
+  const double diagonal = bounding_diagonal(surface.positions, period);
   if (spacing > diagonal) {
     throw Error(ErrorKind::request, "spacing larger than the object", "layer.spacing",
                 fmt::format("{:.4g} between cracks, but the object is {:.4g} from end to end; give "
@@ -51,7 +52,8 @@ void check_scale(const SurfaceMesh& surface, const Recipe& recipe, double target
                             target_edge, diagonal));
   }
   // Equilateral triangles of that edge.
-  const double triangles = total_area(surface) / (std::sqrt(3.0) / 4 * target_edge * target_edge);
+  const double triangles =
+      total_area(surface, period) / (std::sqrt(3.0) / 4 * target_edge * target_edge);
   const double needed = triangles * bytes_per_triangle;
   if (needed <= memory) return;
   const bool given = recipe.mesh.edge.kind == EdgeLength::Kind::given;

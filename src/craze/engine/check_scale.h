@@ -1,6 +1,7 @@
 // Requests whose scale does not fit the object or the machine, found before any work.
 #pragma once
 
+#include "craze/period.h"
 #include "craze/recipe.h"
 #include "craze/surface_mesh.h"
 
@@ -13,6 +14,6 @@ double physical_memory();
 /// than the object, or an edge length (the one that remeshing aims for; 0: none) whose triangles
 /// would need more than `memory` bytes. Lengths in the recipe are resolved (screening.h).
 void check_scale(const SurfaceMesh& surface, const Recipe& recipe, double target_edge,
-                 double memory);
+                 double memory, const Period& period = {});
 
 }  // namespace craze

@@ -40,7 +40,7 @@ void start(LastCycle& last, const SimulationSurface& surface,
            const SimulationParameters& parameters, const Textures& textures, HealedCracks healed,
            const Context& context) {
   const auto begin = std::chrono::steady_clock::now();
-  TriangleMesh mesh(surface.mesh.positions, surface.mesh.triangles);
+  TriangleMesh mesh(surface.mesh.positions, surface.mesh.triangles, surface.period);
   SimulationFields fields = initial_fields(surface, mesh, parameters, textures, context);
   last.unstressed = has_no_stress(fields, parameters);
   fields.healed = std::move(healed);
@@ -94,7 +94,7 @@ LastCycle run_cycles(const SimulationSurface& surface, const SimulationParameter
       CrackNetwork cracks = crack_network(*last.simulation);
       const double drift = evolution.drift * parameters.layer.screening_length;
       if (drift > 0) cracks = drifted(cracks, drift);
-      healed = HealedCracks(healed_pieces(cracks), evolution.healing, scar_width);
+      healed = HealedCracks(healed_pieces(cracks), evolution.healing, scar_width, cracks.period);
     }
   }
   return last;

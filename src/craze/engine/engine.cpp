@@ -1,7 +1,5 @@
 #include "craze/engine.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <iterator>
@@ -10,6 +8,7 @@
 #include "craze/engine/check_where.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/engine/place_impacts.h"
+#include "craze/engine/run_outcome.h"
 #include "craze/engine/spacing_rounds.h"
 #include "craze/error.h"
 #include "craze/mesh/repair/traced_repair.h"
@@ -39,27 +38,6 @@ void warn_of_unused_unit(Report& report, const SurfaceMesh& surface) {
   const double given = metres(report.recipe.mesh.unit);
   if (given == 0 || surface.metres_per_unit == 0 || given == surface.metres_per_unit) return;
   report.warnings.push_back("the file says its own unit, which stands (mesh.unit)");
-}
-
-double total_length(const CrackNetwork& network) {
-  double length = 0;
-  for (const CrackEdge& e : network.edges) {
-    length += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
-  }
-  return length;
-}
-
-/// post.gap for which cracks open by post.gap_width on average over their length.
-void resolve_gap(PostParameters& post, const CrackNetwork& network) {
-  if (!(post.gap_width > 0)) return;
-  double length = 0, opening = 0;  // of Eq. 9 with γ = 1, times the length
-  for (const CrackEdge& e : network.edges) {
-    const double of_edge = (network.nodes[e.b].position - network.nodes[e.a].position).norm();
-    length += of_edge;
-    opening += of_edge * e.width;
-  }
-  if (opening > 0) post.gap = post.gap_width * (length / opening);
-  post.gap_width = 0;
 }
 
 CarriedCounts count_carried(const CutAsset& cut, std::size_t triangles_before) {
@@ -111,34 +89,6 @@ void warn_of_empty_mask(Report& report, const std::vector<double>& mask) {
   if (mask.empty()) return;
   if (std::any_of(mask.begin(), mask.end(), [](double m) { return m > 0; })) return;
   report.warnings.push_back("nothing can crack (where): it leaves no triangle of the surface");
-}
-
-void add_warnings(Report& report, const LastCycle& last, const Simulation& simulation) {
-  if (last.unstressed) {
-    // In equilibrium from the start: not wrong, but seldom what was wanted.
-    report.warnings.push_back(
-        "nothing can crack (stress): it is zero everywhere; give stress.uniform, an impact or a "
-        "painted stress that is not");
-  }
-  if (!simulation.met_tolerance()) {
-    report.warnings.push_back(
-        "equilibrium was not always reached (evolution.residual): double precision ends before it; "
-        "cracks may open a little too early or late");
-  }
-  if (report.carried.lost_pieces > 0) {
-    report.warnings.push_back(fmt::format(
-        "{} pieces of crack, {:.2g} of {:.3g} long, found no way over the input's triangles "
-        "(mesh.output): gaps or folds lie between their ends",
-        report.carried.lost_pieces, report.carried.lost_length,
-        report.carried.lost_length + report.cracks.length));
-  }
-  const bool whole = !report.recipe.simulation.where.is_given();
-  if (whole && (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load)) {
-    if (const auto warning = spacing_warning(report.recipe.simulation.layer, simulation.mesh(),
-                                             report.cracks.fragments)) {
-      report.warnings.push_back(*warning);
-    }
-  }
 }
 
 }  // namespace
@@ -197,7 +147,7 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
                    state->fragments.count};
   report.stop_reason = to_string(run.last.reason);
   report.load = simulation.load();
-  add_warnings(report, run.last, simulation);
+  add_run_warnings(report, run.last, simulation);
   report.time.prepare = run.prepare + run.last.prepare;
   report.time.relax = run.last.times.relax;
   report.time.separation = run.last.times.separation;

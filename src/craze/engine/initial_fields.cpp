@@ -101,8 +101,10 @@ std::vector<double> adhesion_scale(const TriangleMesh& mesh, const SimulationPar
   constexpr double shortest = 0.25;  // ℓ, in mean edges
   const double length = p.layer.screening_length;
   const double least =
-      length > 0 ? std::min(1.0, shortest * mean_edge(mesh.positions(), mesh.triangles()) / length)
-                 : 0;
+      length > 0
+          ? std::min(1.0, shortest * mean_edge(mesh.positions(), mesh.triangles(), mesh.period()) /
+                              length)
+          : 0;
   for (double& m : scale) {
     const double bounded = std::max(m, least);
     m = m > 0 ? 1 / (bounded * bounded) : 1;

@@ -84,10 +84,10 @@ Vec3 by_uv(const SurfaceMesh& surface, const Vec2& uv, const std::string& where)
 }  // namespace
 
 std::vector<Impact> place_impacts(std::vector<Impact> impacts, const SurfaceMesh& surface,
-                                  const Context& context) {
+                                  const Context& context, const Period& period) {
   if (impacts.empty()) return impacts;
-  const TriangleMesh mesh(surface.positions, surface.triangles);
-  const double diagonal = bounding_diagonal(surface.positions);
+  const TriangleMesh mesh(surface.positions, surface.triangles, period);
+  const double diagonal = bounding_diagonal(surface.positions, period);
   for (std::size_t i = 0; i < impacts.size(); ++i) {
     context.check();
     Impact& impact = impacts[i];

@@ -5,6 +5,7 @@
 
 #include "craze/context.h"
 #include "craze/parameters.h"
+#include "craze/period.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -16,6 +17,6 @@ namespace craze {
 /// there is no such place, or the nearest is farther from the point than a tenth of the diagonal of
 /// the box.
 std::vector<Impact> place_impacts(std::vector<Impact> impacts, const SurfaceMesh& surface,
-                                  const Context& context);
+                                  const Context& context, const Period& period = {});
 
 }  // namespace craze

@@ -23,8 +23,10 @@ constexpr double scan_edge = 0.5;
 constexpr double scan_distance = 0.5;
 
 /// The edge length to remesh to, 0: not at all; and how.
-RemeshOptions remesh_options(const SurfaceMesh& surface, const Recipe& recipe) {
+RemeshOptions remesh_options(const SurfaceMesh& surface, const Period& period,
+                             const Recipe& recipe) {
   RemeshOptions options;
+  options.period = period;
   options.seed = recipe.simulation.seed;
   const EdgeLength& edge = recipe.mesh.edge;
   if (edge.kind != EdgeLength::Kind::automatic) {
@@ -33,7 +35,7 @@ RemeshOptions remesh_options(const SurfaceMesh& surface, const Recipe& recipe) {
     return options;
   }
   const double target = edge_per_screening_length * recipe.simulation.layer.screening_length;
-  const double mean = mean_edge(surface.positions, surface.triangles);
+  const double mean = mean_edge(surface.positions, surface.triangles, period);
   // The input keeps its own triangles only where cracks are carried back onto them.
   options.coarsen = recipe.mesh.output == OutputMesh::asset && mean < scan_edge * target;
   if (options.coarsen) options.max_distance = scan_distance * target;
@@ -82,19 +84,22 @@ std::vector<std::uint8_t> touching_faces(const SurfaceMesh& mesh,
 
 }  // namespace
 
-double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
+double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
+                 const Period& period) {
   double sum = 0;
   for (const Triangle& t : triangles) {
-    for (int i = 0; i < 3; ++i) sum += (positions[t[(i + 1) % 3]] - positions[t[i]]).norm();
+    for (int i = 0; i < 3; ++i) {
+      sum += period.shortest(positions[t[(i + 1) % 3]] - positions[t[i]]).norm();
+    }
   }
   return sum / (3 * static_cast<double>(triangles.size()));
 }
 
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
-                                     const Context& context) {
-  const RemeshOptions options = remesh_options(repaired, recipe);
-  check_scale(repaired, recipe, options.target_edge, physical_memory());
-  if (options.target_edge == 0) return {std::move(repaired), {}, {}, {}, {}};
+                                     const Context& context, const Period& period) {
+  const RemeshOptions options = remesh_options(repaired, period, recipe);
+  check_scale(repaired, recipe, options.target_edge, physical_memory(), period);
+  if (options.target_edge == 0) return {std::move(repaired), {}, {}, {}, period, {}};
 
   const MaterialParameters& material = recipe.simulation.material;
   const bool may_forbid = !material.attribute.empty() || !recipe.simulation.layer.attribute.empty();
@@ -109,6 +114,7 @@ SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
   // Without source_faces of its own the surface is numbered by its faces.
   const std::vector<std::int32_t> source_faces = std::exchange(repaired.source_faces, {});
   SimulationSurface surface;
+  surface.period = period;
   std::vector<Vec3> positions;
   if (options.max_distance > 0) {
     positions = std::exchange(repaired.positions, without_bumps(repaired, options.target_edge));

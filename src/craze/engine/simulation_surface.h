@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "craze/context.h"
+#include "craze/period.h"
 #include "craze/recipe.h"
 #include "craze/surface_mesh.h"
 
@@ -21,6 +22,7 @@ struct SimulationSurface {
   SurfaceMesh asset;
   /// #F: a face of the asset that lies near each, on its side of any wall.
   std::vector<std::int32_t> asset_face;
+  Period period;             ///< of `mesh`
   std::vector<double> mask;  ///< #F, how freely each face cracks (crack_mask.h); empty: all do
   /// #V of the asset: its vertices without the bumps that the mesh leaves out; empty: it leaves out
   /// none.
@@ -29,14 +31,16 @@ struct SimulationSurface {
 
 /// Mean length of the triangles' edges, those between two triangles counted twice; there must be a
 /// triangle.
-double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles);
+double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
+                 const Period& period = {});
 
 /// mesh.edge "keep": the input itself. A length: remeshed to it. "auto": remeshed to a quarter of
 /// the screening length where the input's edges are longer than that on average, and with
 /// mesh.output "asset" where they are shorter than half of it, a scan, whose bumps up to half of
 /// that height are then smoothed away; else the input itself. Throws Error(request) for a spacing
 /// or edge that the object or this machine's memory is too small for.
+/// With a period the input is a plane without attributes that needs remeshing.
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
-                                     const Context& context);
+                                     const Context& context, const Period& period = {});
 
 }  // namespace craze

@@ -42,14 +42,14 @@ SpacedRun resolved(const Recipe& recipe, double diagonal) {
   return run;
 }
 
-void prepare(SpacedRun& run, SurfaceMesh repaired, const Textures& textures,
-             const Context& context) {
+void prepare(SpacedRun& run, SurfaceMesh repaired, const Textures& textures, const Context& context,
+             const Period& period = {}) {
   const auto begin = std::chrono::steady_clock::now();
-  run.surface = simulation_surface(std::move(repaired), run.recipe, context);
+  run.surface = simulation_surface(std::move(repaired), run.recipe, context, period);
   const WhereParameters& where = run.recipe.simulation.where;
   if (where.is_given()) {
     const SurfaceMesh& mesh = run.surface.mesh;
-    run.surface.mask = crack_mask(mesh, TriangleMesh(mesh.positions, mesh.triangles), where,
+    run.surface.mask = crack_mask(mesh, TriangleMesh(mesh.positions, mesh.triangles, period), where,
                                   find_texture(textures, where.texture, "where.texture"),
                                   !run.surface.asset_face.empty());
   }
@@ -107,15 +107,15 @@ SpacedRun uncracked(SurfaceMesh repaired, const Recipe& recipe, const Textures& 
 }
 
 SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textures& textures,
-                         const Context& context, const OnOpened& on_opened) {
-  const double diagonal = bounding_diagonal(repaired.positions);
+                         const Context& context, const OnOpened& on_opened, const Period& period) {
+  const double diagonal = bounding_diagonal(repaired.positions, period);
   SpacedRun run = resolved(recipe, diagonal);
   const double spacing = run.recipe.simulation.layer.spacing;
   const bool asked = spacing > 0 && recipe.simulation.layer.screening_length == 0 &&
                      !is_painted(recipe.simulation.layer);
   const std::int64_t rounds = asked ? recipe.simulation.layer.rounds : 0;
   if (rounds == 0) {
-    prepare(run, std::move(repaired), textures, context);
+    prepare(run, std::move(repaired), textures, context, period);
     run.last = run_cycles(run.surface, run.recipe.simulation, textures, context, on_opened);
     return run;
   }
@@ -125,7 +125,7 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
   double best_error = std::numeric_limits<double>::infinity();
   for (std::int64_t round = 0;; ++round) {
     try {
-      prepare(run, repaired, textures, context);
+      prepare(run, repaired, textures, context, period);
       run.last = run_cycles(run.surface, run.recipe.simulation, textures, context, on_opened);
     } catch (const Cancelled&) {
       if (!best) throw;

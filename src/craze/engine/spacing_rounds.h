@@ -29,7 +29,8 @@ SpacedRun uncracked(SurfaceMesh repaired, const Recipe& recipe, const Textures& 
 /// asked for. Returns the round that came nearest, with the seconds of all. No more rounds where
 /// the spacing is painted, where ℓ was given, and when a run is stopped.
 SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textures& textures,
-                         const Context& context, const OnOpened& on_opened = {});
+                         const Context& context, const OnOpened& on_opened = {},
+                         const Period& period = {});
 
 /// Mean spacing of a pattern, length: √(area / fragments), those at borders included, of which an
 /// open surface has few others where the spacing is a good part of its size.

@@ -5,7 +5,10 @@
 namespace craze {
 
 EditMesh::EditMesh(const TriangleMesh& mesh, std::vector<char> marks)
-    : positions_(mesh.positions()), triangles_(mesh.triangles()), marks_(std::move(marks)) {
+    : positions_(mesh.positions()),
+      triangles_(mesh.triangles()),
+      marks_(std::move(marks)),
+      period_(mesh.period()) {
   opposite_.reserve(marks_.size());
   first_.reserve(positions_.size());
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) opposite_.push_back(mesh.opposite(h));

@@ -25,6 +25,11 @@ class EditMesh {
   bool is_vertex(std::int32_t v) const { return first_[v] >= 0; }
   const Triangle& triangle(std::int32_t f) const { return triangles_[f]; }
   const Vec3& position(std::int32_t v) const { return positions_[v]; }
+  /// The image of v nearest to p; its position where nothing repeats.
+  Vec3 position_near(std::int32_t v, const Vec3& p) const {
+    return period_.nearest(positions_[v], p);
+  }
+  const Period& period() const { return period_; }
   void move(std::int32_t v, const Vec3& p) { positions_[v] = p; }
 
   static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -79,6 +84,7 @@ class EditMesh {
   std::vector<std::int32_t> opposite_;  // 3 #F
   std::vector<char> marks_;             // 3 #F
   std::vector<std::int32_t> first_;     // #V: starts the fan; −1: removed
+  Period period_;
 };
 
 }  // namespace craze

@@ -18,8 +18,7 @@ inline Mat32 tangent_frame(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
 }
 
 inline Mat32 tangent_frame(const TriangleMesh& mesh, std::int32_t f) {
-  const Triangle& t = mesh.triangle(f);
-  return tangent_frame(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+  return tangent_frame(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2));
 }
 
 /// Eᵀ S E: the part of a world tensor that lies in the frame E.

@@ -17,8 +17,9 @@ namespace {
 
 }  // namespace
 
-TriangleMesh::TriangleMesh(std::vector<Vec3> positions, std::vector<Triangle> triangles)
-    : positions_(std::move(positions)), triangles_(std::move(triangles)) {
+TriangleMesh::TriangleMesh(std::vector<Vec3> positions, std::vector<Triangle> triangles,
+                           Period period)
+    : positions_(std::move(positions)), triangles_(std::move(triangles)), period_(period) {
   const std::int32_t halfedges = 3 * face_count();
   opposite_.assign(halfedges, border);
   first_halfedge_.assign(positions_.size(), -1);
@@ -64,8 +65,7 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> positions, std::vector<Triangle> tr
 
 double TriangleMesh::area(std::int32_t f) const {
   const Triangle& t = triangles_[f];
-  const Vec3& p = positions_[t[0]];
-  return 0.5 * (positions_[t[1]] - p).cross(positions_[t[2]] - p).norm();
+  return 0.5 * way(t[0], t[1]).cross(way(t[0], t[2])).norm();
 }
 
 double TriangleMesh::total_area() const {
@@ -77,7 +77,7 @@ double TriangleMesh::total_area() const {
 TriangleMesh::Split TriangleMesh::split_edge(std::int32_t h, double t) {
   const std::int32_t a = from(h), b = to(h), o = opposite_[h];
   const std::int32_t x = vertex_count();
-  positions_.push_back((1 - t) * positions_[a] + t * positions_[b]);
+  positions_.push_back((1 - t) * positions_[a] + t * position_near(b, positions_[a]));
   root_.push_back(x);
   const bool slid = anchor_[a] >= 0 || anchor_[b] >= 0, pinned = is_pinned(a) && is_pinned(b);
   anchor_.push_back(slid && !pinned ? source_face_[face_of(h)] : -1);
@@ -121,7 +121,7 @@ TriangleMesh::Split TriangleMesh::split_edge(std::int32_t h, double t) {
 
 void TriangleMesh::slide(std::int32_t h, double t) {
   const std::int32_t v = from(h);
-  positions_[v] = (1 - t) * positions_[v] + t * positions_[to(h)];
+  positions_[v] = (1 - t) * positions_[v] + t * position_near(to(h), positions_[v]);
   anchor_[v] = source_face_[face_of(h)];
 }
 

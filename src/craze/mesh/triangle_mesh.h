@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/period.h"
 #include "craze/surface_mesh.h"
 #include "craze/tensor.h"
 
@@ -36,13 +37,27 @@ class TriangleMesh {
   TriangleMesh() = default;
   /// Builds the adjacency. The triangles must be manifold, consistently oriented and without
   /// repeated corners (see repair.h); throws Error(request) otherwise, naming the face.
-  TriangleMesh(std::vector<Vec3> positions, std::vector<Triangle> triangles);
+  /// With a period all edges must be shorter than half of it.
+  TriangleMesh(std::vector<Vec3> positions, std::vector<Triangle> triangles, Period period = {});
 
   std::int32_t vertex_count() const { return static_cast<std::int32_t>(positions_.size()); }
   std::int32_t face_count() const { return static_cast<std::int32_t>(triangles_.size()); }
   const std::vector<Vec3>& positions() const { return positions_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const Vec3& position(std::int32_t v) const { return positions_[v]; }
+  const Period& period() const { return period_; }
+  /// The image of v nearest to p; its position where nothing repeats.
+  Vec3 position_near(std::int32_t v, const Vec3& p) const {
+    return period_.nearest(positions_[v], p);
+  }
+  /// From v to w, the shortest way.
+  Vec3 way(std::int32_t v, std::int32_t w) const {
+    return period_.shortest(positions_[w] - positions_[v]);
+  }
+  /// Corner i of face f as seen from its corner 0.
+  Vec3 corner(std::int32_t f, int i) const {
+    return position_near(triangles_[f][i], positions_[triangles_[f][0]]);
+  }
   const Triangle& triangle(std::int32_t f) const { return triangles_[f]; }
 
   static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -123,6 +138,7 @@ class TriangleMesh {
   std::vector<std::int32_t> root_;            // #V
   std::vector<std::int32_t> anchor_;          // #V
   std::vector<char> pinned_;                  // #V
+  Period period_;
 };
 
 }  // namespace craze

@@ -55,8 +55,8 @@ Mat2 cap_singular_values(const Mat2& beta, double cap) {
 double singular_value_cap(const TriangleMesh& mesh) {
   std::vector<double> largest;
   largest.reserve(mesh.face_count());
-  for (const Triangle& t : mesh.triangles()) {
-    const Mat2 beta = basis_matrix(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const Mat2 beta = basis_matrix(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2));
     const double s = singular_values(beta).largest;
     if (std::isfinite(s)) largest.push_back(s);
   }

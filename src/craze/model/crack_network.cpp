@@ -41,6 +41,7 @@ std::int32_t shortest_side(const std::vector<Reach>& reaches, double begin, doub
 CrackNetwork crack_network(const Simulation& simulation) {
   const TriangleMesh& mesh = simulation.mesh();
   CrackNetwork network;
+  network.period = mesh.period();
   const std::int32_t halfedges = 3 * mesh.face_count();
   std::vector<Side> sides;
   for (std::int32_t h = 0; h < halfedges; ++h) {
@@ -63,20 +64,19 @@ CrackNetwork crack_network(const Simulation& simulation) {
   for (std::size_t i = 0; i < sides.size();) {
     const OpenedSegment& segment = simulation.opened()[sides[i].label];
     const std::int32_t a = segment.geometry.from_root, b = segment.geometry.to_root;
-    const Vec3& origin = mesh.position(a);
-    const Vec3 direction = mesh.position(b) - origin;
+    const Vec3 direction = mesh.way(a, b);
     along.clear();
     reaches.clear();
     MeanDisplacement left, right;
     std::size_t j = i;
     for (; j < sides.size() && sides[j].label == sides[i].label; ++j) {
       const std::int32_t from = mesh.from(sides[j].halfedge), to = mesh.to(sides[j].halfedge);
-      const Vec3 edge = mesh.position(to) - mesh.position(from);
+      const Vec3 edge = mesh.way(from, to);
       MeanDisplacement& side = edge.dot(direction) > 0 ? left : right;
       side.sum += 0.5 * edge.norm() * (simulation.displacement(from) + simulation.displacement(to));
       side.length += edge.norm();
-      const double begin = (mesh.position(from) - origin).dot(direction);
-      const double end = (mesh.position(to) - origin).dot(direction);
+      const double begin = mesh.way(a, from).dot(direction);
+      const double end = mesh.way(a, to).dot(direction);
       along.emplace_back(begin, mesh.root(from));
       along.emplace_back(end, mesh.root(to));
       reaches.push_back({std::min(begin, end), std::max(begin, end), sides[j].halfedge});
@@ -102,6 +102,12 @@ CrackNetwork crack_network(const Simulation& simulation) {
   return network;
 }
 
+double total_length(const CrackNetwork& network) {
+  double length = 0;
+  for (const CrackEdge& e : network.edges) length += network.length(e);
+  return length;
+}
+
 void describe_nodes(const TriangleMesh& mesh, CrackNetwork& network) {
   std::vector<std::int32_t> node_of_root(mesh.vertex_count(), -1);
   for (std::size_t n = 0; n < network.nodes.size(); ++n) {
@@ -109,8 +115,7 @@ void describe_nodes(const TriangleMesh& mesh, CrackNetwork& network) {
   }
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const Triangle& t = mesh.triangle(f);
-    const Vec3& p = mesh.position(t[0]);
-    const Vec3 normal = (mesh.position(t[1]) - p).cross(mesh.position(t[2]) - p);
+    const Vec3 normal = mesh.way(t[0], t[1]).cross(mesh.way(t[0], t[2]));
     for (const std::int32_t v : t) {
       const std::int32_t n = node_of_root[mesh.root(v)];
       if (n < 0) continue;
@@ -144,7 +149,8 @@ std::vector<HealedPiece> healed_pieces(const CrackNetwork& network) {
   pieces.reserve(network.edges.size());
   for (const CrackEdge& e : network.edges) {
     const CrackNode &a = network.nodes[e.a], &b = network.nodes[e.b];
-    pieces.push_back({a.position, b.position, a.normal + b.normal});
+    pieces.push_back(
+        {a.position, network.period.nearest(b.position, a.position), a.normal + b.normal});
   }
   return pieces;
 }

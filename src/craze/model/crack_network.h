@@ -39,9 +39,19 @@ struct CrackEdge {
 struct CrackNetwork {
   std::vector<CrackNode> nodes;
   std::vector<CrackEdge> edges;
+  Period period;  ///< of the mesh
+
+  /// From node v to node w, the shortest way.
+  Vec3 way(std::int32_t v, std::int32_t w) const {
+    return period.shortest(nodes[w].position - nodes[v].position);
+  }
+  double length(const CrackEdge& edge) const { return way(edge.a, edge.b).norm(); }
 };
 
 CrackNetwork crack_network(const Simulation& simulation);
+
+/// Of all edges, model units.
+double total_length(const CrackNetwork& network);
 
 /// Fills in normal, face and kind of the nodes from the mesh, whose vertices they name by their
 /// roots, and from the edges.

@@ -28,8 +28,7 @@ void add_chain(const CrackNetwork& network, const std::vector<std::int32_t>& cha
                std::int32_t first, std::int32_t last, CrackNetwork& made) {
   std::vector<double> arc(chain.size(), 0);
   for (std::size_t i = 1; i < chain.size(); ++i) {
-    arc[i] = arc[i - 1] +
-             (network.nodes[chain[i]].position - network.nodes[chain[i - 1]].position).norm();
+    arc[i] = arc[i - 1] + network.way(chain[i - 1], chain[i]).norm();
   }
   const auto pieces = static_cast<std::int64_t>(std::llround(arc.back() / step));
   const std::int64_t count = std::max<std::int64_t>(pieces, first == last ? 3 : 1);
@@ -41,7 +40,7 @@ void add_chain(const CrackNetwork& network, const std::vector<std::int32_t>& cha
     const double t = (s - arc[i]) / (arc[i + 1] - arc[i]);
     const CrackNode &a = network.nodes[chain[i]], &b = network.nodes[chain[i + 1]];
     CrackNode node;
-    node.position = (1 - t) * a.position + t * b.position;
+    node.position = (1 - t) * a.position + t * network.period.nearest(b.position, a.position);
     node.normal = ((1 - t) * a.normal + t * b.normal).normalized();
     made.nodes.push_back(node);
     const auto now = static_cast<std::int32_t>(made.nodes.size() - 1);
@@ -54,6 +53,7 @@ void add_chain(const CrackNetwork& network, const std::vector<std::int32_t>& cha
 CrackNetwork in_equal_pieces(const CrackNetwork& network, double step) {
   const Links links = links_of(network);
   CrackNetwork made;
+  made.period = network.period;
   std::vector<std::int32_t> image(network.nodes.size(), -1);
   const auto add_node = [&](std::int32_t v) {
     if (image[v] >= 0) return image[v];
@@ -86,14 +86,6 @@ CrackNetwork in_equal_pieces(const CrackNetwork& network, double step) {
   return made;
 }
 
-double total_length(const CrackNetwork& network) {
-  double length = 0;
-  for (const CrackEdge& e : network.edges) {
-    length += (network.nodes[e.b].position - network.nodes[e.a].position).norm();
-  }
-  return length;
-}
-
 // Pieces of all cracks together, at most.
 constexpr double most_pieces = 1e7;
 
@@ -118,7 +110,7 @@ CrackNetwork drifted(const CrackNetwork& network, double distance) {
       for (const std::int32_t e : links[v]) {
         const CrackEdge& edge = moved.edges[e];
         const std::int32_t w = edge.a == static_cast<std::int32_t>(v) ? edge.b : edge.a;
-        const Vec3 d = moved.nodes[w].position - moved.nodes[v].position;
+        const Vec3 d = moved.way(static_cast<std::int32_t>(v), w);
         const double apart = d.norm();
         velocity[v] += d / std::max(apart, shortest);
         half_length += apart / 2;

@@ -7,7 +7,8 @@
 
 namespace craze {
 
-double bounding_diagonal(const std::vector<Vec3>& positions) {
+double bounding_diagonal(const std::vector<Vec3>& positions, const Period& period) {
+  if (period.is_given()) return std::sqrt(2.0) * period.length;
   if (positions.empty()) return 0;
   Vec3 low = positions.front(), high = low;
   for (const Vec3& p : positions) {

@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "craze/parameters.h"
+#include "craze/period.h"
 #include "craze/tensor.h"
 
 namespace craze {
 
-/// Length of the diagonal of the box around some points; 0 without any.
-double bounding_diagonal(const std::vector<Vec3>& positions);
+/// Length of the diagonal of the box around some points, or of a period; 0 without any.
+double bounding_diagonal(const std::vector<Vec3>& positions, const Period& period = {});
 
 /// The parameters with everything relative made absolute, for an object of that diagonal:
 /// layer.spacing from relative_spacing, layer.screening_length ℓ from the spacing (at the load

@@ -200,7 +200,8 @@ const char* to_string(StopReason reason) {
 
 Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
                        const SimulationParameters& parameters, const Context& context)
-    : parameters_(checked(resolve_lengths(parameters, bounding_diagonal(mesh.positions())))),
+    : parameters_(
+          checked(resolve_lengths(parameters, bounding_diagonal(mesh.positions(), mesh.period())))),
       fields_(std::move(fields)),
       // 1. Initialize the stress field according to heuristics and optionally evolve it.
       sheet_(stressed_sheet(std::move(mesh), fields_, running_engine(parameters_), context)),
@@ -297,7 +298,7 @@ void Simulation::crack_mesh() {
     if (v < 0 || !fails_now(v)) break;
     const Vec3 position = mesh().position(v);
     const bool independent = std::all_of(taken.begin(), taken.end(), [&](const Vec3& p) {
-      return (p - position).squaredNorm() >= apart * apart;
+      return mesh().period().shortest(p - position).squaredNorm() >= apart * apart;
     });
     if (!independent) {
       if (apart == std::numeric_limits<double>::infinity()) break;
@@ -349,7 +350,7 @@ void Simulation::tell(const OnOpened& on_opened, std::size_t first) const {
 void Simulation::run_on(const Vec3& start, const Vec3& normal, const CrackRules& rules) {
   const double length = relaxation_->stride();
   const auto may_run = [&](std::int32_t tip) {
-    return (mesh().position(tip) - start).norm() < length &&
+    return (mesh().position_near(tip, start) - start).norm() < length &&
            std::isfinite(mean_factor(mesh(), fields_.toughness_scale, tip));
   };
   const std::vector<std::int32_t> tips = outcome_.tips;

@@ -85,8 +85,7 @@ StressField::StressField(const TriangleMesh& mesh, double cap)
     elements_[f] = make_element(mesh, f);
     const double third = mesh.area(f) / 3;
     const Triangle& t = mesh.triangle(f);
-    const Vec3& p = mesh.position(t[0]);
-    const Vec3 normal = (mesh.position(t[1]) - p).cross(mesh.position(t[2]) - p);
+    const Vec3 normal = mesh.way(t[0], t[1]).cross(mesh.way(t[0], t[2]));
     for (const std::int32_t v : t) {
       node_areas_[v] += third;
       normals_[v] += normal;
@@ -96,8 +95,7 @@ StressField::StressField(const TriangleMesh& mesh, double cap)
 }
 
 Element StressField::make_element(const TriangleMesh& mesh, std::int32_t f) const {
-  const Triangle& t = mesh.triangle(f);
-  const Vec3 &p0 = mesh.position(t[0]), &p1 = mesh.position(t[1]), &p2 = mesh.position(t[2]);
+  const Vec3 p0 = mesh.corner(f, 0), p1 = mesh.corner(f, 1), p2 = mesh.corner(f, 2);
   const double area = mesh.area(f);
   Element e;
   if (!(area > 0)) return e;  // no area: bears no stress and exerts no force

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/srgb.h"
 #include "craze/io/files/new_file.h"
 #include "craze/io/image/deflate.h"
 #include "craze/io/image/png_chunks.h"
@@ -18,6 +19,7 @@ constexpr std::string_view zlib_header = "\x78\x01";
 /// Each row is its difference from the pixel on the left, which needs no other row.
 constexpr char filter_left = 1;
 constexpr int linear_gamma = 100000;  // gAMA: 1
+constexpr char perceptual_intent = 0;
 
 class Png16 : public RowImage {
  public:
@@ -30,6 +32,10 @@ class Png16 : public RowImage {
     const char color = format.channels == 3 ? 2 : 0;
     header += {16, color, 0, 0, 0};
     file_.append(png_chunk("IHDR", header));
+    if (format.is_color) {
+      file_.append(png_chunk("sRGB", std::string(1, perceptual_intent)));
+      return;
+    }
     std::string gamma;
     put_big(gamma, linear_gamma);
     file_.append(png_chunk("gAMA", gamma));
@@ -74,7 +80,8 @@ class Png16 : public RowImage {
 
  private:
   std::uint16_t whole(double x, int c) const {
-    const double share = (x - format_.low[c]) / (format_.high[c] - format_.low[c]);
+    double share = (x - format_.low[c]) / (format_.high[c] - format_.low[c]);
+    if (format_.is_color) share = linear_to_srgb(static_cast<float>(std::max(0.0, share)));
     return static_cast<std::uint16_t>(std::floor(std::clamp(share, 0.0, 1.0) * 65535 + 0.5));
   }
 

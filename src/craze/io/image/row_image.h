@@ -16,6 +16,7 @@ struct RowImageFormat {
   int channels = 1;  ///< 1 grey, 3 red green blue
   /// Integers only: what 0 and 65,535 stand for, per channel. What lies outside is the nearer one.
   std::array<double, 3> low{0, 0, 0}, high{1, 1, 1};
+  bool is_color = false;  ///< integers only: they are stored by the curve of sRGB, and say so
 };
 
 /// A file of linear numbers that gets its place in finish(), whole. Throws Error(output) where it

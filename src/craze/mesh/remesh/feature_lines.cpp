@@ -12,8 +12,7 @@ namespace {
 
 Vec3 unit_normal(const TriangleMesh& mesh, std::int32_t f) {
   const Triangle& t = mesh.triangle(f);
-  const Vec3& a = mesh.position(t[0]);
-  return (mesh.position(t[1]) - a).cross(mesh.position(t[2]) - a).normalized();
+  return mesh.way(t[0], t[1]).cross(mesh.way(t[0], t[2])).normalized();
 }
 
 // Which ends of each edge have two different UVs, one per side.
@@ -101,9 +100,7 @@ std::vector<char> without_short_creases(const TriangleMesh& mesh, std::vector<ch
     const std::int32_t a = mesh.from(h), b = mesh.to(h);
     if (marks[h] == no_feature || mesh.opposite(h) > h) continue;
     const bool stays = marks[h] == seam || mesh.is_open(h);
-    edges[find(a)] +=
-        stays ? needed
-              : (mesh.position(b) - mesh.position(a)).norm() / (0.5 * (wanted[a] + wanted[b]));
+    edges[find(a)] += stays ? needed : mesh.way(a, b).norm() / (0.5 * (wanted[a] + wanted[b]));
   }
   for (std::int32_t h = 0; h < halfedges; ++h) {
     if (marks[h] == crease && edges[find(mesh.from(h))] < needed) marks[h] = no_feature;

@@ -18,6 +18,17 @@ namespace {
 
 constexpr double first_shake = 0.3;  // of the length wanted: against the grain of the input
 
+/// The remeshed plane, which has nothing to approach and no attributes.
+SurfaceMesh flat_torus(const RemeshSurface& s) {
+  SurfaceMesh made;
+  std::vector<std::int32_t> kept;
+  made.triangles = s.mesh.compact(kept);
+  for (const std::int32_t v : kept) {
+    made.positions.push_back(s.mesh.period().wrapped(s.mesh.position(v)));
+  }
+  return made;
+}
+
 }  // namespace
 
 SurfaceMesh remesh(const SurfaceMesh& input, const RemeshOptions& options, const Context& context) {
@@ -25,7 +36,7 @@ SurfaceMesh remesh(const SurfaceMesh& input, const RemeshOptions& options, const
     throw Error(ErrorKind::request, "bad edge length", std::to_string(options.target_edge),
                 "a positive number is needed");
   }
-  const TriangleMesh topology(input.positions, input.triangles);
+  const TriangleMesh topology(input.positions, input.triangles, options.period);
   if (topology.face_count() == 0) return input;
   // Of a round five, then approach and transfer; the first is setting up.
   RemeshProgress progress(context, 5 * options.iterations + 3);
@@ -42,6 +53,7 @@ SurfaceMesh remesh(const SurfaceMesh& input, const RemeshOptions& options, const
     stage([&] { smooth(s, round == 0 ? first_shake : 0); });
     stage([&] { flip_edges(s); });
   }
+  if (options.period.is_given()) return flat_torus(s);
   stage([&] {
     pull_vertices(s);
     approach_input(s);

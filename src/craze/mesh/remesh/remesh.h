@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "craze/context.h"
+#include "craze/period.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -18,6 +19,8 @@ struct RemeshOptions {
   bool coarsen = false;
   int iterations = 5;      ///< rounds of edits and smoothing; more give more even triangles
   std::uint64_t seed = 1;  ///< of the irregularity
+  /// Of the input, which is then a plane without attributes, and so is what comes of it.
+  Period period;
 };
 
 /// Incremental isotropic remeshing after Botsch & Kobbelt (A Remeshing Approach to Multiresolution

@@ -53,7 +53,9 @@ bool may_collapse(const RemeshSurface& s, std::int32_t h) {
   s.mesh.for_each_outgoing(a, [&](std::int32_t g) {
     const std::int32_t c = s.mesh.to(g), d = s.mesh.apex(g);
     if (!good || c == b || d == b) return;
-    const Vec3 &pb = s.mesh.position(b), &pc = s.mesh.position(c), &pd = s.mesh.position(d);
+    const Vec3& pa = s.mesh.position(a);
+    const Vec3 pb = s.mesh.position_near(b, pa), pc = s.mesh.position_near(c, pa),
+               pd = s.mesh.position_near(d, pa);
     const Vec3 before = s.face_cross(g / 3), after = cross_of(pb, pc, pd);
     if (!(after.dot(before) > 0.7 * after.norm() * before.norm()) ||
         (pc - pb).norm() > too_long * s.wanted_length(b, c) ||
@@ -62,8 +64,8 @@ bool may_collapse(const RemeshSurface& s, std::int32_t h) {
       good = false;
       return;
     }
-    const Vec3 w = nearest_weights(s.mesh.position(a), pb, pc, pd);
-    nearest = std::min(nearest, (w[0] * pb + w[1] * pc + w[2] * pd - s.mesh.position(a)).norm());
+    const Vec3 w = nearest_weights(pa, pb, pc, pd);
+    nearest = std::min(nearest, (w[0] * pb + w[1] * pc + w[2] * pd - pa).norm());
   });
   return good && nearest <= s.max_distance / 2;
 }
@@ -79,8 +81,10 @@ void collapse(RemeshSurface& s, std::int32_t h) {
 bool wants_flip(const RemeshSurface& s, std::int32_t h) {
   const std::int32_t o = s.mesh.opposite(h);
   if (o < 0 || s.mesh.mark(h) != no_feature) return false;
-  const Vec3 &a = s.mesh.position(s.mesh.from(h)), &b = s.mesh.position(s.mesh.to(h));
-  const Vec3 &c = s.mesh.position(s.mesh.apex(h)), &d = s.mesh.position(s.mesh.apex(o));
+  const Vec3& a = s.mesh.position(s.mesh.from(h));
+  const Vec3 b = s.mesh.position_near(s.mesh.to(h), a);
+  const Vec3 c = s.mesh.position_near(s.mesh.apex(h), a);
+  const Vec3 d = s.mesh.position_near(s.mesh.apex(o), a);
   const Vec3 above = (a - c).cross(b - c), below = (b - d).cross(a - d);
   const double area_c = above.norm(), area_d = below.norm();
   // cot γ + cot δ < 0: the two angles opposite the edge sum to more than a straight one.
@@ -123,8 +127,8 @@ void split_long_edges(RemeshSurface& s) {
       queue.pop();
       if (s.mesh.from(e.h) != e.from || s.mesh.to(e.h) != e.to) continue;  // split or moved since
       const double t = 0.5 + 0.16 * (s.place.uniform() - 0.5);
-      const std::int32_t x =
-          s.split(e.h, (1 - t) * s.mesh.position(e.from) + t * s.mesh.position(e.to));
+      const Vec3& from = s.mesh.position(e.from);
+      const std::int32_t x = s.split(e.h, (1 - t) * from + t * s.mesh.position_near(e.to, from));
       s.mesh.for_each_outgoing(x, [&](std::int32_t h) {
         for (std::int32_t g = 3 * (h / 3); g < 3 * (h / 3) + 3; ++g) add(measure(s, g));
       });

@@ -66,12 +66,13 @@ void RemeshSurface::add_vertex(double length_there, std::int32_t near_face) {
 }
 
 double RemeshSurface::edge_length(std::int32_t h) const {
-  return (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
+  return mesh.period().shortest(mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
 }
 
 Vec3 RemeshSurface::face_cross(std::int32_t f) const {
   const Triangle& t = mesh.triangle(f);
-  return cross_of(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+  const Vec3& a = mesh.position(t[0]);
+  return cross_of(a, mesh.position_near(t[1], a), mesh.position_near(t[2], a));
 }
 
 std::int32_t RemeshSurface::split(std::int32_t h, const Vec3& at) {

@@ -30,7 +30,7 @@ Move find_move(const RemeshSurface& s, std::int32_t v, double shaken) {
     const std::int32_t b = s.mesh.to(h), c = s.mesh.apex(h);
     const double l = (s.wanted[v] + s.wanted[b] + s.wanted[c]) / 3, w = cross.norm() / (l * l);
     normal += cross;
-    center += w / 3 * (p + s.mesh.position(b) + s.mesh.position(c));
+    center += w / 3 * (p + s.mesh.position_near(b, p) + s.mesh.position_near(c, p));
     weight += w;
   });
   if (!(normal.norm() > 0)) return move;
@@ -40,6 +40,9 @@ Move find_move(const RemeshSurface& s, std::int32_t v, double shaken) {
     step[axis] += shaken * s.wanted[v] * (2 * s.shaking.uniform_at(3ull * v + axis) - 1);
   }
   step -= step.dot(normal) * normal;
+  if (s.mesh.period().is_given()) {  // the plane goes on for ever
+    return {true, p + step, s.near[v], s.length[v]};
+  }
   const ClosestPoint::Hit hit =
       s.walk.find(p + step, {normal, -1, s.near[v]}, trusted_walk * step.norm());
   if (hit.face < 0) return move;
@@ -56,7 +59,8 @@ Move find_move(const RemeshSurface& s, std::int32_t v, double shaken) {
 bool keeps_star(const RemeshSurface& s, std::int32_t v, const Vec3& to, double least) {
   bool keeps = true;
   s.mesh.for_each_outgoing(v, [&](std::int32_t h) {
-    const Vec3 &b = s.mesh.position(s.mesh.to(h)), &c = s.mesh.position(s.mesh.apex(h));
+    const Vec3 b = s.mesh.position_near(s.mesh.to(h), to);
+    const Vec3 c = s.mesh.position_near(s.mesh.apex(h), to);
     const Vec3 before = s.face_cross(h / 3), after = cross_of(to, b, c);
     keeps = keeps && after.dot(before) > least * after.norm() * before.norm() &&
             after.norm() >= std::min(0.2 * (b - c).squaredNorm(), before.norm());

@@ -38,9 +38,9 @@ struct Ray {
 
 /// Where along the edge opposite to the node in h's face the plane passes; negative if it does not.
 double crossing(const TriangleMesh& mesh, std::int32_t h, const Vec3& normal) {
-  const Vec3& p = mesh.position(mesh.from(h));
-  const double db = normal.dot(mesh.position(mesh.to(h)) - p);
-  const double dc = normal.dot(mesh.position(mesh.from(TriangleMesh::prev(h))) - p);
+  const std::int32_t v = mesh.from(h);
+  const double db = normal.dot(mesh.way(v, mesh.to(h)));
+  const double dc = normal.dot(mesh.way(v, mesh.from(TriangleMesh::prev(h))));
   if ((db >= 0) == (dc >= 0)) return -1;
   return db / (db - dc);
 }
@@ -68,23 +68,21 @@ class Insertion {
 
 bool Insertion::too_close_to_open_edge(std::int32_t v, const Vec3& direction) const {
   if (!mesh_.is_open_vertex(v)) return false;
-  const Vec3& p = mesh_.position(v);
   const std::int32_t first = mesh_.first_halfedge(v);
   std::int32_t last = first;
   for (std::int32_t h = first; h >= 0; h = mesh_.rotate(h)) last = h;
-  const Vec3 a = mesh_.position(mesh_.to(first)) - p;
-  const Vec3 b = mesh_.position(mesh_.from(TriangleMesh::prev(last))) - p;
+  const Vec3 a = mesh_.way(v, mesh_.to(first));
+  const Vec3 b = mesh_.way(v, mesh_.from(TriangleMesh::prev(last)));
   return std::min(angle_between(direction, a), angle_between(direction, b)) < rules_.back_angle;
 }
 
 std::vector<Ray> Insertion::admissible_rays(std::int32_t v, const Vec3& normal) const {
   std::vector<Ray> rays;
-  const Vec3& p = mesh_.position(v);
   double around = 0;  // angle of the current face's first edge
   mesh_.for_each_outgoing(v, [&](std::int32_t h) {
     const std::int32_t across = TriangleMesh::prev(h);  // enters v: the face's other edge at v
-    const Vec3 b = mesh_.position(mesh_.to(h)) - p;
-    const Vec3 c = mesh_.position(mesh_.from(across)) - p;
+    const Vec3 b = mesh_.way(v, mesh_.to(h));
+    const Vec3 c = mesh_.way(v, mesh_.from(across));
     const double face_angle = angle_between(b, c);
     const double t = crossing(mesh_, h, normal);
     if (t >= 0) {

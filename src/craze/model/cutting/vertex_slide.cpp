@@ -23,8 +23,8 @@ bool may_slide(const TriangleMesh& mesh, std::int32_t v, const Vec3& to) {
   const Vec3& p = mesh.position(v);
   bool good = true;
   mesh.for_each_outgoing(v, [&](std::int32_t h) {
-    const Vec3& b = mesh.position(mesh.to(h));
-    const Vec3& c = mesh.position(mesh.from(TriangleMesh::prev(h)));
+    const Vec3 b = mesh.position_near(mesh.to(h), p);
+    const Vec3 c = mesh.position_near(mesh.from(TriangleMesh::prev(h)), p);
     const Vec3 before = (b - p).cross(c - p), after = (b - to).cross(c - to);
     const double least = std::min(least_height, thinness(p, b, c));
     good = good && before.dot(after) > 0 && thinness(to, b, c) >= least;
@@ -38,8 +38,8 @@ double deviation(const TriangleMesh& mesh, std::int32_t v, const Vec3& to) {
   const Vec3 move = to - p;
   double farthest = 0;
   mesh.for_each_outgoing(v, [&](std::int32_t h) {
-    const Vec3& b = mesh.position(mesh.to(h));
-    const Vec3& c = mesh.position(mesh.from(TriangleMesh::prev(h)));
+    const Vec3 b = mesh.position_near(mesh.to(h), p);
+    const Vec3 c = mesh.position_near(mesh.from(TriangleMesh::prev(h)), p);
     const Vec3 normal = (b - p).cross(c - p);
     const double length = normal.norm();
     if (length > 0) farthest = std::max(farthest, std::abs(normal.dot(move)) / length);
@@ -53,7 +53,7 @@ bool slide_vertex(CrackedSheet& sheet, std::int32_t h, double t) {
   const TriangleMesh& mesh = sheet.mesh();
   const std::int32_t v = mesh.from(h), toward = mesh.to(h);
   if (mesh.is_open_vertex(v) || mesh.is_pinned(v)) return false;
-  const Vec3 edge = mesh.position(toward) - mesh.position(v), to = mesh.position(v) + t * edge;
+  const Vec3 edge = mesh.way(v, toward), to = mesh.position(v) + t * edge;
   if (deviation(mesh, v, to) > most_deviation * edge.norm() || !may_slide(mesh, v, to))
     return false;
   sheet.slide(h, t);

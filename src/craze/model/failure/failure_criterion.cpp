@@ -29,11 +29,10 @@ double node_width(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal) 
   if (begin < 0) return 0;
   // A ∇λ_v = F × (b − a) / (2 |F|), with a and b the spokes of the face and F = a × b. By dot
   // products, most of which the next face can use: n̂·(F × (b − a)) is this numerator.
-  const Vec3& center = mesh.position(v);
-  Vec3 a = mesh.position(mesh.to(begin)) - center;
+  Vec3 a = mesh.way(v, mesh.to(begin));
   double aa = a.squaredNorm(), na = normal.dot(a), width = 0;
   mesh.for_each_outgoing(v, [&](std::int32_t h) {
-    const Vec3 b = mesh.position(mesh.from(TriangleMesh::prev(h))) - center;
+    const Vec3 b = mesh.way(v, mesh.from(TriangleMesh::prev(h)));
     const double bb = b.squaredNorm(), nb = normal.dot(b), ab = a.dot(b);
     const double numerator = nb * (ab - aa) - na * (bb - ab), squared = aa * bb - ab * ab;
     // No more than |b − a|, also where rounding leaves nothing of F.
@@ -55,7 +54,7 @@ double typical_failure_force(const TriangleMesh& mesh, const MaterialParameters&
   double edges = 0;
   for (const Triangle& t : mesh.triangles()) {
     for (int i = 0; i < 3; ++i) {
-      edges += (mesh.position(t[i]) - mesh.position(t[(i + 1) % 3])).norm();
+      edges += mesh.way(t[(i + 1) % 3], t[i]).norm();
     }
   }
   return material.strength * width_per_edge * edges / (3 * std::max(1, mesh.face_count()));
@@ -67,7 +66,7 @@ FailureCriterion::FailureCriterion(const MaterialParameters& material, double pr
 double mean_tension_ahead(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
                           const Vec3& normal, double length) {
   const Vec3 start = mesh.position(v);
-  const auto height = [&](std::int32_t n) { return normal.dot(mesh.position(n) - start); };
+  const auto height = [&](std::int32_t n) { return normal.dot(mesh.way(v, n)); };
   double tension = 0, total = 0;
   mesh.for_each_outgoing(v, [&](std::int32_t spoke) {
     std::int32_t edge = TriangleMesh::next(spoke);
@@ -79,7 +78,8 @@ double mean_tension_ahead(const TriangleMesh& mesh, const StressField& field, st
       const double a = height(mesh.from(edge)), b = height(mesh.to(edge));
       if ((a >= 0) == (b >= 0)) return;
       const double t = a / (a - b);
-      const Vec3 to = (1 - t) * mesh.position(mesh.from(edge)) + t * mesh.position(mesh.to(edge));
+      const Vec3 to = (1 - t) * mesh.position_near(mesh.from(edge), start) +
+                      t * mesh.position_near(mesh.to(edge), start);
       const double step = std::min((to - from).norm(), length - walked);
       tension += step * normal.dot(field.stress(mesh, edge / 3) * normal);
       total += step;
@@ -104,7 +104,8 @@ double FailureCriterion::least_threshold(const TriangleMesh& mesh, std::int32_t 
   const double toughness = material_.toughness * scale * std::sqrt(width);
   const auto origin = origin_.find(v);
   const bool young =
-      origin != origin_.end() && (mesh.position(v) - origin->second).norm() < process_zone_;
+      origin != origin_.end() &&
+      (mesh.position_near(v, origin->second) - origin->second).norm() < process_zone_;
   return young ? std::min(strength, toughness) : toughness;
 }
 
@@ -136,7 +137,8 @@ bool FailureCriterion::node_changed(const TriangleMesh& mesh, std::int32_t v) {
   const bool tip = is_crack_tip(mesh, v);
   if (tip == (listed_[v] != 0)) return false;
   listed_[v] = tip ? 1 : 0;
-  std::vector<std::int32_t>& cell = tips_[tip_grid(process_zone_).key(mesh.position(v))];
+  std::vector<std::int32_t>& cell =
+      tips_[tip_grid(process_zone_).key(mesh.period().wrapped(mesh.position(v)))];
   if (tip) {
     cell.push_back(v);
   } else {
@@ -149,15 +151,18 @@ std::int32_t FailureCriterion::tip_near(const TriangleMesh& mesh, std::int32_t v
   if (!(process_zone_ > 0)) return -1;
   const Vec3& p = mesh.position(v);
   std::int32_t found = -1;
-  tip_grid(process_zone_).for_each_near(p, process_zone_, [&](std::uint64_t key) {
-    const auto cell = tips_.find(key);
-    if (found >= 0 || cell == tips_.end()) return;
-    for (const std::int32_t tip : cell->second) {
-      if ((mesh.position(tip) - p).squaredNorm() < process_zone_ * process_zone_) {
-        found = tip;
-        return;
+  const CellGrid grid = tip_grid(process_zone_);
+  mesh.period().for_each_image(p, process_zone_, [&](const Vec3& image) {
+    grid.for_each_near(image, process_zone_, [&](std::uint64_t key) {
+      const auto cell = tips_.find(key);
+      if (found >= 0 || cell == tips_.end()) return;
+      for (const std::int32_t tip : cell->second) {
+        if (mesh.way(v, tip).squaredNorm() < process_zone_ * process_zone_) {
+          found = tip;
+          return;
+        }
       }
-    }
+    });
   });
   return found;
 }

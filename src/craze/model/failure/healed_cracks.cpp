@@ -20,15 +20,18 @@ constexpr double least_width = 1e-9;
 
 }  // namespace
 
-HealedCracks::HealedCracks(std::span<const HealedPiece> pieces, double ratio, double width)
-    : root_(std::sqrt(ratio)), width_(width) {
+HealedCracks::HealedCracks(std::span<const HealedPiece> pieces, double ratio, double width,
+                           Period period)
+    : period_(period), root_(std::sqrt(ratio)), width_(width) {
   assert(ratio > 0 && ratio <= 1 && width > 0);
   double longest = 0;
   for (const HealedPiece& piece : pieces) {
     const Vec3 d = piece.end - piece.start;
     const Vec3 normal = piece.up.cross(d);
     if (!(normal.norm() > 0)) continue;
-    pieces_.push_back({piece.start, d.normalized(), normal.normalized(), d.norm()});
+    const Vec3 middle = piece.start + 0.5 * d;
+    pieces_.push_back({piece.start + (period_.wrapped(middle) - middle), d.normalized(),
+                       normal.normalized(), d.norm()});
     longest = std::max(longest, d.norm());
   }
   // Too narrow to be told from none.
@@ -42,6 +45,12 @@ HealedCracks::HealedCracks(std::span<const HealedPiece> pieces, double ratio, do
 
 Mat3 HealedCracks::weakness(const Vec3& position) const {
   Mat3 sum = root_ * Mat3::Identity();
+  period_.for_each_image(position, cell_size_,
+                         [&](const Vec3& image) { add_weakness(image, sum); });
+  return sum;
+}
+
+void HealedCracks::add_weakness(const Vec3& position, Mat3& sum) const {
   const double scale = 1 / (std::sqrt(2.0) * width_);
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
@@ -62,7 +71,6 @@ Mat3 HealedCracks::weakness(const Vec3& position) const {
       }
     }
   }
-  return sum;
 }
 
 WeakPlane HealedCracks::weakest_plane(const Mat3& w, const Sym3& separation) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "craze/base/symmetric_eigen.h"
+#include "craze/period.h"
 #include "craze/tensor.h"
 
 namespace craze {
@@ -39,7 +40,7 @@ class HealedCracks {
  public:
   HealedCracks() = default;
   /// ratio: r, 0 < r ≤ 1. width: w > 0, length.
-  HealedCracks(std::span<const HealedPiece> pieces, double ratio, double width);
+  HealedCracks(std::span<const HealedPiece> pieces, double ratio, double width, Period period = {});
 
   bool empty() const { return pieces_.empty(); }
   /// W at a point.
@@ -53,8 +54,10 @@ class HealedCracks {
     double length;
   };
   using Cell = std::uint64_t;
+  void add_weakness(const Vec3& position, Mat3& sum) const;
   Cell cell_of(const Vec3& p, int dx, int dy, int dz) const;
 
+  Period period_;
   double root_ = 1, width_ = 0;  // √r, w
   double cell_size_ = 1;
   std::vector<Piece> pieces_;

@@ -17,7 +17,7 @@ Sym3 turned(const Sym3& stress, const Vec3& from, const Vec3& to) {
 Sym3 StressAhead::mean(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
                        double length) {
   const Vec3 &tip = mesh.position(v), &normal = field.normals()[v];
-  const Vec3 back = mesh.position(mesh.to(mesh.first_halfedge(v))) - tip;
+  const Vec3 back = mesh.way(v, mesh.to(mesh.first_halfedge(v)));
   reached_.resize(mesh.face_count(), 0);
   ++round_;
   faces_.clear();
@@ -32,7 +32,8 @@ Sym3 StressAhead::mean(const TriangleMesh& mesh, const StressField& field, std::
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     const std::int32_t f = faces_[i];
     const Triangle& t = mesh.triangle(f);
-    const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
+    const Vec3 a = mesh.position_near(t[0], tip), b = mesh.position_near(t[1], tip),
+               c = mesh.position_near(t[2], tip);
     const Vec3 arm = (a + b + c) / 3 - tip, across = (b - a).cross(c - a);
     const double inside = 1 - arm.squaredNorm() / (length * length), twice = across.norm();
     if (!(inside > 0) || !(across.dot(normal) > least_cosine * twice)) continue;

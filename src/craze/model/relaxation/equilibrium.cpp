@@ -124,7 +124,8 @@ void Equilibrium::review(const LayerState& layer, std::size_t index) {
 void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds) {
   const CellGrid grid(2 * options_.reach);
   std::unordered_map<std::uint64_t, std::vector<std::int32_t>> left;  // seeds, by cell
-  for (const std::int32_t v : seeds) left[grid.key(mesh.position(v))].push_back(v);
+  for (const std::int32_t v : seeds)
+    left[grid.key(mesh.period().wrapped(mesh.position(v)))].push_back(v);
   seed_patch_.resize(mesh.vertex_count(), -1);
   patch_count_ = 0;
   for (const std::int32_t first : seeds) {
@@ -135,22 +136,25 @@ void Equilibrium::cluster(const TriangleMesh& mesh, const std::vector<std::int32
     patch.seeds.assign(1, first);
     seed_patch_[first] = index;
     for (std::size_t i = 0; i < patch.seeds.size(); ++i) {
-      const Vec3& p = mesh.position(patch.seeds[i]);
-      grid.for_each_near(p, options_.reach, [&](std::uint64_t key) {
-        const auto cell = left.find(key);
-        if (cell == left.end()) return;
-        std::vector<std::int32_t>& near = cell->second;
-        near.erase(std::remove_if(near.begin(), near.end(),
-                                  [&](std::int32_t v) {
-                                    if (seed_patch_[v] >= 0) return true;
-                                    const double squared = (mesh.position(v) - p).squaredNorm();
-                                    if (squared > options_.reach * options_.reach) return false;
-                                    seed_patch_[v] = index;
-                                    patch.seeds.push_back(v);
-                                    return true;
-                                  }),
-                   near.end());
-      });
+      const std::int32_t seed = patch.seeds[i];
+      const auto join_near = [&](const Vec3& p) {
+        grid.for_each_near(p, options_.reach, [&](std::uint64_t key) {
+          const auto cell = left.find(key);
+          if (cell == left.end()) return;
+          std::vector<std::int32_t>& near = cell->second;
+          near.erase(std::remove_if(near.begin(), near.end(),
+                                    [&](std::int32_t v) {
+                                      if (seed_patch_[v] >= 0) return true;
+                                      const double squared = mesh.way(seed, v).squaredNorm();
+                                      if (squared > options_.reach * options_.reach) return false;
+                                      seed_patch_[v] = index;
+                                      patch.seeds.push_back(v);
+                                      return true;
+                                    }),
+                     near.end());
+        });
+      };
+      mesh.period().for_each_image(mesh.position(seed), options_.reach, join_near);
     }
   }
 }

@@ -23,10 +23,10 @@ constexpr double farthest_cell = 4e18;
 
 template <class Position>
 std::vector<double> evaluate(std::size_t n, double length, const Random& random,
-                             const Context& context, Position&& position) {
+                             const Period& period, const Context& context, Position&& position) {
   constexpr std::size_t grain = 1024;
   std::vector<double> values(n);
-  const CorrelatedNoise noise(length > 0 ? length : 1, random);
+  const CorrelatedNoise noise(length > 0 ? length : 1, random, period);
   reporting_loop(context, "noise", n, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       values[i] =
@@ -38,17 +38,25 @@ std::vector<double> evaluate(std::size_t n, double length, const Random& random,
 
 }  // namespace
 
-CorrelatedNoise::CorrelatedNoise(double length, const Random& random)
-    : radius_(radius_per_length * length), random_(random) {}
+CorrelatedNoise::CorrelatedNoise(double length, const Random& random, Period period)
+    : radius_(radius_per_length * length), random_(random) {
+  if (!period.is_given()) return;
+  radius_ = std::min(radius_, period.length);
+  const double cells = std::floor(period.length / radius_);
+  cell_ = period.length / radius_ / cells;
+  repeats_ = static_cast<std::int64_t>(std::min(cells, farthest_cell));
+}
 
 double CorrelatedNoise::at(const Vec3& position) const {
-  const Vec3 p = position / radius_;
+  const Vec3 size(cell_, cell_, 1), p = position / radius_;
   Vec3 corner;
   for (int k = 0; k < 3; ++k)
-    corner[k] = std::clamp(std::floor(p[k]), -farthest_cell, farthest_cell);
-  const Vec3 inside = p - corner;
+    corner[k] = std::clamp(std::floor(p[k] / size[k]), -farthest_cell, farthest_cell);
+  const Vec3 inside = p - corner.cwiseProduct(size);
   const auto cell = [&](int axis, int step) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(corner[axis]) + step);
+    const std::int64_t index = static_cast<std::int64_t>(corner[axis]) + step;
+    if (repeats_ == 0 || axis == 2) return static_cast<std::uint64_t>(index);
+    return static_cast<std::uint64_t>((index % repeats_ + repeats_) % repeats_);
   };
   double sum = 0;
   for (int i = -1; i <= 1; ++i) {
@@ -59,9 +67,10 @@ double CorrelatedNoise::at(const Vec3& position) const {
         const std::uint64_t hz = hash_bits(hy + cell(2, k));
         for (int n = 0; n < impulses_per_cell; ++n) {
           const std::uint64_t bits = random_.at(hz + static_cast<std::uint64_t>(n));
-          const Vec3 impulse(i + static_cast<double>(bits & 0x1fffff) * from_21_bits,
-                             j + static_cast<double>((bits >> 21) & 0x1fffff) * from_21_bits,
-                             k + static_cast<double>((bits >> 42) & 0x1fffff) * from_21_bits);
+          const Vec3 impulse(
+              cell_ * (i + static_cast<double>(bits & 0x1fffff) * from_21_bits),
+              cell_ * (j + static_cast<double>((bits >> 21) & 0x1fffff) * from_21_bits),
+              k + static_cast<double>((bits >> 42) & 0x1fffff) * from_21_bits);
           const double rest = 1 - (inside - impulse).squaredNorm();
           if (rest <= 0) continue;
           const double weight = rest * rest * rest;
@@ -70,20 +79,20 @@ double CorrelatedNoise::at(const Vec3& position) const {
       }
     }
   }
-  return sum / std::sqrt(impulses_per_cell * kernel_energy);
+  return sum * cell_ / std::sqrt(impulses_per_cell * kernel_energy);
 }
 
 std::vector<double> face_noise(const TriangleMesh& mesh, double length, const Random& random,
                                const Context& context) {
-  return evaluate(mesh.face_count(), length, random, context, [&](std::int32_t f) -> Vec3 {
-    const Triangle& t = mesh.triangle(f);
-    return (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
-  });
+  return evaluate(mesh.face_count(), length, random, mesh.period(), context,
+                  [&](std::int32_t f) -> Vec3 {
+                    return (mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3;
+                  });
 }
 
 std::vector<double> vertex_noise(const TriangleMesh& mesh, double length, const Random& random,
                                  const Context& context) {
-  return evaluate(mesh.vertex_count(), length, random, context,
+  return evaluate(mesh.vertex_count(), length, random, mesh.period(), context,
                   [&](std::int32_t v) -> Vec3 { return mesh.position(v); });
 }
 

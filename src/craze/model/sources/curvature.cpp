@@ -113,7 +113,7 @@ double default_curvature_radius(const TriangleMesh& mesh) {
   std::int64_t count = 0;
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
     if (mesh.opposite(h) > h) continue;
-    sum += (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
+    sum += mesh.way(mesh.from(h), mesh.to(h)).norm();
     ++count;
   }
   return count == 0 ? 0 : 2 * sum / static_cast<double>(count);
@@ -128,8 +128,7 @@ std::vector<Sym2> face_curvature(const TriangleMesh& mesh, double radius, const 
   measure_all(n, context, [&](std::size_t i, NormalCycle::Scratch& scratch) {
     const auto f = static_cast<std::int32_t>(i);
     if (cycle.face_normal(f).isZero()) return;
-    const Triangle& t = mesh.triangle(f);
-    const Vec3 centroid = (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
+    const Vec3 centroid = (mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3;
     const auto measure = cycle.measure(centroid, support, {&f, 1}, scratch);
     const Vec3 normal = measure.normal.stableNormalized();
     tensors[i] = curvature_tensor(measure, carried_frame(tangent_frame(mesh, f), normal));

@@ -62,11 +62,10 @@ NormalCycle::NormalCycle(const TriangleMesh& mesh) : mesh_(mesh) {
   edges_.resize(3 * static_cast<std::size_t>(faces));
   for (std::int32_t f = 0; f < faces; ++f) {
     const Triangle& t = mesh.triangle(f);
-    const Vec3& p = mesh.position(t[0]);
-    normals_[f] = (mesh.position(t[1]) - p).cross(mesh.position(t[2]) - p).stableNormalized();
+    normals_[f] = mesh.way(t[0], t[1]).cross(mesh.way(t[0], t[2])).stableNormalized();
   }
   for (std::int32_t h = 0; h < 3 * faces; ++h) {
-    const Vec3 along = mesh.position(mesh.to(h)) - mesh.position(mesh.from(h));
+    const Vec3 along = mesh.way(mesh.from(h), mesh.to(h));
     Edge& e = edges_[h];
     e.unit = along.stableNormalized();
     e.length = along.norm();
@@ -98,7 +97,7 @@ CurvatureMeasure NormalCycle::measure(const Vec3& center, double radius,
     for (int k = 0; k < 3; ++k) {
       const std::int32_t h = 3 * f + k, o = mesh_.opposite(h);
       const Edge& e = edges_[h];
-      const Vec3 from = mesh_.position(mesh_.from(h)) - center;
+      const Vec3 from = mesh_.position_near(mesh_.from(h), center) - center;
       const Side s = side(from, e.unit, e.length);
       const double height = from.dot(n), m2 = radius2 - height * height;
       if (m2 > 0) swept += weight_swept(s, from.cross(e.unit).dot(n), m2);

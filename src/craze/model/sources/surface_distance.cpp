@@ -70,13 +70,14 @@ SurfaceDistance surface_distance(const TriangleMesh& mesh, const PointOnSurface&
   using Entry = std::pair<double, std::int32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
   const auto lower = [&](std::int32_t v, double d) {
-    d = std::max(d, (mesh.position(v) - source.position).norm());  // no way is shorter
+    // No way is shorter.
+    d = std::max(d, (mesh.position_near(v, source.position) - source.position).norm());
     if (d > reach || d >= distance[v] * (1 - least_gain)) return;
     distance[v] = d;
     front.emplace(d, v);
   };
   for (const std::int32_t v : mesh.triangle(source.face)) {
-    lower(v, (mesh.position(v) - source.position).norm());
+    lower(v, (mesh.position_near(v, source.position) - source.position).norm());
   }
   // Ends: a distance only falls, by a part of itself each time, and not below the straight one.
   for (std::size_t taken = 1; !front.empty(); ++taken) {
@@ -88,37 +89,39 @@ SurfaceDistance surface_distance(const TriangleMesh& mesh, const PointOnSurface&
     const Vec3& p = mesh.position(v);
     mesh.for_each_outgoing(v, [&](std::int32_t h) {
       const std::int32_t a = mesh.to(h), b = mesh.from(TriangleMesh::prev(h));
-      const Vec3 &pa = mesh.position(a), &pb = mesh.position(b);
+      const Vec3 pa = mesh.position_near(a, p), pb = mesh.position_near(b, p);
       lower(a, update(p, pb, pa, d, distance[b]));
       lower(b, update(p, pa, pb, d, distance[a]));
       // v and a may see past the edge into the next face before b is known from anywhere else.
       const std::int32_t o = mesh.opposite(TriangleMesh::next(h));
       if (o < 0) return;
       const std::int32_t c = mesh.from(TriangleMesh::prev(o));
-      lower(c, update(pa, pb, mesh.position(c), distance[a], distance[b]));
+      lower(c, update(pa, pb, mesh.position_near(c, p), distance[a], distance[b]));
     });
   }
 
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const Triangle& t = mesh.triangle(f);
-    const Vec3 centroid = (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
+    const Vec3 centroid = (mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3;
     Vec3 away = Vec3::Zero();
     if (f == source.face) {
-      away = centroid - source.position;
+      away = mesh.period().shortest(centroid - source.position);
     } else {
       double best = infinite;
       for (int k = 0; k < 3; ++k) {
         const std::int32_t j = t[k], l = t[(k + 1) % 3], i = t[(k + 2) % 3];
         if (!std::isfinite(distance[j]) || !std::isfinite(distance[l])) continue;
-        const Vec3& pj = mesh.position(j);
-        const Unfolded u = unfold(pj, mesh.position(l), mesh.position(i), distance[j], distance[l]);
+        const Vec3& origin = mesh.position(t[0]);
+        const Vec3 pj = mesh.position_near(j, origin), pl = mesh.position_near(l, origin),
+                   pi = mesh.position_near(i, origin);
+        const Unfolded u = unfold(pj, pl, pi, distance[j], distance[l]);
         if (u.edge <= 0) continue;
         const double seen = (u.apex - u.source).norm();
         const double mismatch = std::abs(seen - std::min(distance[i], reach));
         if (!(mismatch < best)) continue;
         best = mismatch;
-        const Vec3 x = (mesh.position(l) - pj) / u.edge;
-        const Vec3 above = mesh.position(i) - pj;
+        const Vec3 x = (pl - pj) / u.edge;
+        const Vec3 above = pi - pj;
         const Vec3 y = (above - above.dot(x) * x).stableNormalized();
         away = centroid - (pj + u.source.x() * x + u.source.y() * y);
       }

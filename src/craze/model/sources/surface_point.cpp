@@ -27,7 +27,8 @@ PointOnSurface closest_surface_point(const TriangleMesh& mesh, const Vec3& point
     for (std::size_t i = begin; i < end; ++i) {
       const auto f = static_cast<std::int32_t>(i);
       const Triangle& t = mesh.triangle(f);
-      const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
+      const Vec3 a = mesh.position_near(t[0], point);
+      const Vec3 b = mesh.position_near(t[1], a), c = mesh.position_near(t[2], a);
       const Vec3 w = nearest_weights(point, a, b, c);
       const Vec3 q = w[0] * a + w[1] * b + w[2] * c;
       const double d = (q - point).norm();

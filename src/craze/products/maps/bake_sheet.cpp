@@ -30,6 +30,7 @@ class Band {
         sheet_(sheet),
         headers_(headers),
         size_(scene.options.size),
+        repeats_(scene.maps.is_tile()),
         owners_(scene.maps.pieces, sheet.pieces, size_),
         texels_(static_cast<std::size_t>(size_) * (band_rows + 2)),
         grooves_(texels_.size()) {
@@ -69,7 +70,8 @@ class Band {
 
   /// Row r of the band with its margin: row first + r − 1 of the picture.
   void find_texels(int r) {
-    const int y = first_ + r - 1;
+    int y = first_ + r - 1;
+    if (repeats_) y = (y + size_) % size_;
     if (y < 0 || y >= size_) return;
     std::vector<TexelOwners::Owner> owners;
     owners_.row(y, owners);
@@ -95,8 +97,9 @@ class Band {
   /// that texel shows another place.
   double height_beside(const Texel& texel, int r, int x, int dx, int dy, const Mat2& sides) const {
     const int y = first_ + r + dy - 1;
-    if (x + dx >= 0 && x + dx < size_ && y >= 0 && y < size_) {
-      const std::size_t i = index(r + dy, x + dx);
+    const int beside = repeats_ ? (x + dx + size_) % size_ : x + dx;
+    if (repeats_ || (beside >= 0 && beside < size_ && y >= 0 && y < size_)) {
+      const std::size_t i = index(r + dy, beside);
       if (scene_.islands[texels_[i].face] == scene_.islands[texel.face]) return grooves_[i].height;
     }
     return scene_.grooves.mean(texel.face, texel.p + sides * Vec2(dx, dy), sides).height;
@@ -225,6 +228,9 @@ class Band {
             for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(p[i]);
             break;
           }
+          case MapKind::base_color:
+          case MapKind::roughness:
+            break;  // of material_maps.h
         }
       }
     }
@@ -235,6 +241,7 @@ class Band {
   const std::vector<MapHeader>& headers_;
   int size_, first_ = 0;
   bool by_heights_ = false;  // whether a map needs differences
+  bool repeats_;             // whether the picture continues on itself
   TexelOwners owners_;
   std::vector<Texel> texels_;        // of the band and its margin
   std::vector<GrooveMean> grooves_;  // likewise

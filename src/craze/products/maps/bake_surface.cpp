@@ -25,6 +25,9 @@ void check_options(const MapOptions& options) {
   }
   std::set<MapKind> seen;
   for (const MapKind kind : options.maps) {
+    if (kind > map_table().back().kind) {
+      wrong("surfaces have no such map", std::string(map_info(kind).name), "tiles have");
+    }
     if (!seen.insert(kind).second) {
       wrong("the same map twice", std::string(map_info(kind).name), "ask for it once");
     }
@@ -120,11 +123,18 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
   const UvLayout layout = uv_layout(maps, options.by_material, context);
   const MapFaces faces(maps.surface);
   const GrooveSizes sizes = groove_sizes(maps, options.post);
-  const std::vector<std::int32_t> islands = uv_islands(maps.surface);
-  const GrooveSampler grooves(maps, faces, faces_at_uv_border(maps.surface), sizes, options.size,
-                              context);
+  // A tile is flat, and one island without a border, wherever it was cut open.
+  const std::size_t count = maps.surface.triangles.size();
+  const std::vector<std::int32_t> islands =
+      maps.is_tile() ? std::vector<std::int32_t>(count, 0) : uv_islands(maps.surface);
+  const std::vector<std::uint8_t> at_border =
+      maps.is_tile() ? std::vector<std::uint8_t>(count, 0) : faces_at_uv_border(maps.surface);
+  const GrooveSampler grooves(maps, faces, at_border, sizes, options.size, context);
   std::vector<double> curvature;
-  if (asks_for(options, MapKind::curvature)) curvature = mean_curvature(maps.surface, context);
+  if (asks_for(options, MapKind::curvature)) {
+    curvature = maps.is_tile() ? std::vector<double>(maps.surface.positions.size(), 0)
+                               : mean_curvature(maps.surface, context);
+  }
   const Ranges ranges(maps, sizes, grooves.farthest(), curvature);
   const BakeScene scene{maps, faces, sizes, grooves, islands, curvature, options};
   const auto of = static_cast<double>(layout.sheets.size());

@@ -1,10 +1,10 @@
 #include "craze/products/maps/groove_sampler.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "craze/model/screening.h"
 #include "craze/products/maps/groove.h"
 
 namespace craze {
@@ -25,9 +25,9 @@ constexpr std::size_t most_near = 32;  // lines that one texel is looked at for
 GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post) {
   GrooveSizes sizes;
   sizes.wall = post.wall;
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : maps.surface.positions) box.extend(p);
-  const double line = box.isEmpty() ? 0 : hairline * box.diagonal().norm() / 2;
+  const double diagonal =
+      maps.diagonal > 0 ? maps.diagonal : bounding_diagonal(maps.surface.positions);
+  const double line = hairline * diagonal / 2;
   const bool known = post.gap > 0 && maps.has_widths;
   for (const MapCrack& crack : maps.cracks) {
     if (known) {

@@ -30,9 +30,17 @@ struct MapPiece {
 /// The pieces of a face cover it.
 struct MapSurface {
   SurfaceMesh surface;  ///< without the cracks; manifold, vertices welded
+  /// Of a tile, which is written cut open along its border: its triangles by vertices that are one
+  /// where it continues on itself. Empty: those of the surface.
+  std::vector<Triangle> joined;
+  double diagonal = 0;  ///< what hairlines are measured by, length; 0: the box around the surface
   std::vector<MapPiece> pieces;
   std::vector<MapCrack> cracks;
   bool has_widths = true;  ///< the cracks' widths are known
+
+  bool is_tile() const { return !joined.empty(); }
+  /// By which faces are neighbours.
+  const std::vector<Triangle>& neighbours() const { return is_tile() ? joined : surface.triangles; }
 };
 
 /// Throws Error(request) where there are no UVs.

@@ -31,14 +31,28 @@ const std::vector<MapInfo>& map_table() {
   return table;
 }
 
-const MapInfo& map_info(MapKind kind) {
-  return map_table()[static_cast<std::size_t>(kind)];
+const std::vector<MapInfo>& material_map_table() {
+  static const std::vector<MapInfo> table{
+      {MapKind::base_color, "base_color", 3, MapValues::color,
+       "of the material without light or shade"},
+      {MapKind::roughness, "roughness", 1, MapValues::share, "of the material; 0: a mirror"},
+  };
+  return table;
 }
 
-MapKind find_map(const std::string& name) {
+const MapInfo& map_info(MapKind kind) {
+  const auto i = static_cast<std::size_t>(kind), n = map_table().size();
+  return i < n ? map_table()[i] : material_map_table()[i - n];
+}
+
+MapKind find_map(const std::string& name, bool of_tile) {
   std::vector<std::string> names;
   std::string list;
-  for (const MapInfo& info : map_table()) {
+  std::vector<MapInfo> all = map_table();
+  if (of_tile) {
+    all.insert(all.end(), material_map_table().begin(), material_map_table().end());
+  }
+  for (const MapInfo& info : all) {
     if (info.name == name) return info.kind;
     names.emplace_back(info.name);
     list += (list.empty() ? "" : ", ") + names.back();

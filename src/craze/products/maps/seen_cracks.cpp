@@ -94,7 +94,7 @@ FacePlane face_plane(const SurfaceMesh& surface, std::int32_t f) {
 }
 
 SeenCracks seen_cracks(const MapSurface& maps, const SightLimits& limits, const Context& context) {
-  const TriangleMesh mesh(maps.surface.positions, maps.surface.triangles);
+  const TriangleMesh mesh(maps.surface.positions, maps.neighbours());
   Sight sight(maps.surface, mesh, limits);
   FaceSpread spread(mesh, sight);
   for (std::size_t i = 0; i < maps.cracks.size(); ++i) {

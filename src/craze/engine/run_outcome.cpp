@@ -1,0 +1,49 @@
+#include "craze/engine/run_outcome.h"
+
+#include <fmt/format.h>
+
+#include "craze/engine/spacing_rounds.h"
+
+namespace craze {
+
+void resolve_gap(PostParameters& post, const CrackNetwork& network) {
+  if (!(post.gap_width > 0)) return;
+  double length = 0, opening = 0;  // of Eq. 9 with γ = 1, times the length
+  for (const CrackEdge& e : network.edges) {
+    const double of_edge = network.length(e);
+    length += of_edge;
+    opening += of_edge * e.width;
+  }
+  if (opening > 0) post.gap = post.gap_width * (length / opening);
+  post.gap_width = 0;
+}
+
+void add_run_warnings(Report& report, const LastCycle& last, const Simulation& simulation) {
+  if (last.unstressed) {
+    // In equilibrium from the start: not wrong, but seldom what was wanted.
+    report.warnings.push_back(
+        "nothing can crack (stress): it is zero everywhere; give stress.uniform, an impact or a "
+        "painted stress that is not");
+  }
+  if (!simulation.met_tolerance()) {
+    report.warnings.push_back(
+        "equilibrium was not always reached (evolution.residual): double precision ends before it; "
+        "cracks may open a little too early or late");
+  }
+  if (report.carried.lost_pieces > 0) {
+    report.warnings.push_back(fmt::format(
+        "{} pieces of crack, {:.2g} of {:.3g} long, found no way over the input's triangles "
+        "(mesh.output): gaps or folds lie between their ends",
+        report.carried.lost_pieces, report.carried.lost_length,
+        report.carried.lost_length + report.cracks.length));
+  }
+  const bool whole = !report.recipe.simulation.where.is_given();
+  if (whole && (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load)) {
+    if (const auto warning = spacing_warning(report.recipe.simulation.layer, simulation.mesh(),
+                                             report.cracks.fragments)) {
+      report.warnings.push_back(*warning);
+    }
+  }
+}
+
+}  // namespace craze

@@ -1,0 +1,17 @@
+// What a finished run says of itself, whatever surface it ran on.
+#pragma once
+
+#include "craze/engine/cycles.h"
+#include "craze/model/crack_network.h"
+#include "craze/report.h"
+
+namespace craze {
+
+/// post.gap for which cracks open by post.gap_width on average over their length.
+void resolve_gap(PostParameters& post, const CrackNetwork& network);
+
+/// Adds to the report what the user should know of how the cracking ended. Wants its `recipe`,
+/// `carried` and `cracks`; `last` may have given its simulation away.
+void add_run_warnings(Report& report, const LastCycle& last, const Simulation& simulation);
+
+}  // namespace craze

@@ -1,0 +1,23 @@
+// Tiles to test with: small, and quick to crack.
+#pragma once
+
+#include <cmath>
+
+#include "craze/engine/tile.h"
+#include "craze/presets.h"
+
+namespace craze {
+
+/// Mud whose pieces are `spacing` of the side of a tile.
+inline Recipe mud_for_tiles(double spacing, std::uint64_t seed) {
+  Recipe recipe = read_preset("mud");
+  recipe.simulation.layer.spacing = spacing;
+  recipe.simulation.seed = seed;
+  return recipe;
+}
+
+inline CrackedTile mud_tile(double spacing, std::uint64_t seed, const Context& context = {}) {
+  return crack_tile(mud_for_tiles(spacing, seed), {1, 0}, context);
+}
+
+}  // namespace craze
