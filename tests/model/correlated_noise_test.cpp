@@ -64,6 +64,17 @@ TEST(CorrelatedNoise, IsContinuousAcrossItsLattice) {
   }
 }
 
+TEST(CorrelatedNoise, WhatWasFoundForOnePlaceServesThoseNearIt) {
+  const CorrelatedNoise noise(1, Random(4));
+  CorrelatedNoise::Impulses last;
+  Random places(8);
+  for (int i = 0; i < 3000; ++i) {
+    const double reach = i % 10 == 0 ? 30 : 1;
+    const Vec3 p(places.uniform(-reach, reach), places.uniform(-reach, reach), 0.2);
+    EXPECT_EQ(noise.at(p, last), noise.at(p));
+  }
+}
+
 TEST(CorrelatedNoise, WithoutALengthEveryTriangleIsDrawnByItself) {
   const TriangleMesh mesh = test::plate(60, 1, 0);
   const auto noise = face_noise(mesh, 0, Random(3), Context{});

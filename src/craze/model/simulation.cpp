@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "craze/base/parallel.h"
 #include "craze/error.h"
 #include "craze/model/failure/separation_tensor.h"
 #include "craze/model/screening.h"
@@ -113,7 +114,7 @@ CrackedSheet stressed_sheet(TriangleMesh mesh, const SimulationFields& fields, E
                             const Context& context) {
   check_sizes(fields, mesh);
   context.check();
-  StressField field(mesh, engine_singular_value_cap(mesh, engine));
+  StressField field(mesh, engine_singular_value_cap(mesh, engine), context.threads);
   context.check();
   for (std::size_t v = 0; v < fields.fixed.size(); ++v) {
     if (!fields.fixed[v]) continue;
@@ -123,12 +124,16 @@ CrackedSheet stressed_sheet(TriangleMesh mesh, const SimulationFields& fields, E
   for (std::size_t v = 0; v < fields.pinned.size(); ++v) {
     if (fields.pinned[v]) mesh.pin(static_cast<std::int32_t>(v));
   }
-  for (std::size_t f = 0; f < fields.stress.size(); ++f) {
-    check_stress(fields.stress[f]);
-    field.add_stress(mesh, static_cast<std::int32_t>(f), fields.stress[f]);
-  }
+  constexpr std::size_t grain = 1024;
+  parallel_for(context.threads, fields.stress.size(), grain,
+               [&](std::size_t begin, std::size_t end) {
+                 for (std::size_t f = begin; f < end; ++f) {
+                   check_stress(fields.stress[f]);
+                   field.add_stress(mesh, static_cast<std::int32_t>(f), fields.stress[f]);
+                 }
+               });
   if (!fields.adhesion_scale.empty()) field.set_adhesion(mesh, fields.adhesion_scale);
-  field.update_forces(mesh);
+  field.update_forces(mesh, context.threads);
   return {std::move(mesh), std::move(field)};
 }
 

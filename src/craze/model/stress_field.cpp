@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "craze/base/parallel.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/basis_matrix.h"
 #include "craze/model/element_response.h"
@@ -10,6 +11,8 @@
 namespace craze {
 
 namespace {
+
+constexpr std::size_t grain = 1024;
 
 /// T of the world tensor sigma: T_ab = A b_a·σ b_b, with b_a = Σ_c H_ac e_c the dual of e_a and
 /// A H = √A N.
@@ -74,15 +77,19 @@ CRAZE_WIDE void displace_elements(Element* elements, const Triangle* triangles,
 
 }  // namespace
 
-StressField::StressField(const TriangleMesh& mesh, double cap)
+StressField::StressField(const TriangleMesh& mesh, double cap, const Threads& threads)
     : cap_(cap),
       elements_(mesh.face_count()),
       forces_(mesh.vertex_count()),
       displacements_(mesh.vertex_count()),
       normals_(mesh.vertex_count(), Vec3::Zero()),
       node_areas_(mesh.vertex_count(), 0.0) {
+  parallel_for(threads, elements_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      elements_[f] = make_element(mesh, static_cast<std::int32_t>(f));
+    }
+  });
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    elements_[f] = make_element(mesh, f);
     const double third = mesh.area(f) / 3;
     const Triangle& t = mesh.triangle(f);
     const Vec3 normal = mesh.way(t[0], t[1]).cross(mesh.way(t[0], t[2]));
@@ -123,8 +130,10 @@ void StressField::update_force(const TriangleMesh& mesh, std::int32_t v) {
   forces_[v].v = Vec4d::Lanes{force.x(), force.y(), force.z(), 0};
 }
 
-void StressField::update_forces(const TriangleMesh& mesh) {
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) update_force(mesh, v);
+void StressField::update_forces(const TriangleMesh& mesh, const Threads& threads) {
+  parallel_for(threads, forces_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) update_force(mesh, static_cast<std::int32_t>(v));
+  });
 }
 
 void StressField::displace(const TriangleMesh& mesh, const std::vector<std::int32_t>& faces,

@@ -7,6 +7,7 @@
 #include "craze/base/simd.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/tensor.h"
+#include "craze/threads.h"
 
 namespace craze {
 
@@ -30,7 +31,7 @@ struct Element {
 class StressField {
  public:
   /// All zero. `cap` is the limit on β's singular values, 1/length (basis_matrix.h).
-  StressField(const TriangleMesh& mesh, double cap);
+  StressField(const TriangleMesh& mesh, double cap, const Threads& threads = 1);
 
   const std::vector<Element>& elements() const { return elements_; }
   std::vector<Element>& elements() { return elements_; }
@@ -65,7 +66,7 @@ class StressField {
 
   /// [IO06 Eq. 1] summed over the star of v / over all nodes.
   void update_force(const TriangleMesh& mesh, std::int32_t v);
-  void update_forces(const TriangleMesh& mesh);
+  void update_forces(const TriangleMesh& mesh, const Threads& threads = 1);
 
   /// [IO06 Eqs. 6, 7] Adds to σ of these faces, in this order, what virtual displacements of their
   /// corners make of it, and the change of Eq. 1's forces to the corners. `slot` (#V) says where in

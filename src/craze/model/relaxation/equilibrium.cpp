@@ -55,7 +55,7 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
   allowed_.resize(mesh.vertex_count(), 0);
   slot_.resize(mesh.vertex_count(), -1);
   if (stiffness_.empty()) {
-    stiffness_.assemble(mesh, field);
+    stiffness_.assemble(mesh, field, threads);
   } else if (static_cast<std::int32_t>(changed.size()) < mesh.vertex_count()) {
     stiffness_.update(mesh, field, changed, threads);
   }
@@ -63,11 +63,14 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
   const double allowed = options_.tolerance * options_.tolerance;
   std::vector<std::int32_t> open;
   double largest = 0;
-  for (const std::int32_t v : changed) {
-    const double residual = squared_residual(layer, v);
-    if (!(residual > seed_part * allowed)) continue;
-    open.push_back(v);
-    largest = std::max(largest, residual);
+  std::vector<double> residuals(changed.size());
+  parallel_for(threads, changed.size(), 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) residuals[i] = squared_residual(layer, changed[i]);
+  });
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    if (!(residuals[i] > seed_part * allowed)) continue;
+    open.push_back(changed[i]);
+    largest = std::max(largest, residuals[i]);
   }
   double best = std::numeric_limits<double>::infinity();
   int stalled = 0;

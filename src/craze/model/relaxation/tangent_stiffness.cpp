@@ -21,7 +21,8 @@ PlaneBasis::PlaneBasis(const Vec3& n) {
   b = {t, sign + n.y() * n.y() * s, -n.y()};
 }
 
-void TangentStiffness::assemble(const TriangleMesh& mesh, const StressField& field) {
+void TangentStiffness::assemble(const TriangleMesh& mesh, const StressField& field,
+                                const Threads& threads) {
   rows_.assign(mesh.vertex_count(), {});
   columns_.clear();
   faces_.clear();
@@ -31,12 +32,16 @@ void TangentStiffness::assemble(const TriangleMesh& mesh, const StressField& fie
   columns_.reserve(typical_row * mesh.vertex_count());
   faces_.reserve(typical_row * mesh.vertex_count());
   blocks_.reserve(typical_row * mesh.vertex_count());
-  Draft draft;
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-    draft_row(mesh, field, v, draft);
-    make_room(v, static_cast<std::int32_t>(draft.columns.size()));
-    store_row(mesh, v, draft);
-  }
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) make_room(mesh, v);
+  constexpr std::size_t grain = 512;
+  parallel_for(threads, rows_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    Draft draft;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto v = static_cast<std::int32_t>(i);
+      draft_row(mesh, field, v, draft);
+      store_row(mesh, v, draft);
+    }
+  });
 }
 
 void TangentStiffness::update(const TriangleMesh& mesh, const StressField& field,
@@ -52,11 +57,7 @@ void TangentStiffness::update(const TriangleMesh& mesh, const StressField& field
   }
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  for (const std::int32_t v : touched_) {
-    std::int32_t neighbours = 0;
-    mesh.for_each_outgoing(v, [&](std::int32_t) { ++neighbours; });
-    make_room(v, 1 + neighbours + (mesh.is_open_vertex(v) ? 1 : 0));
-  }
+  for (const std::int32_t v : touched_) make_room(mesh, v);
   parallel_for(threads, touched_.size(), 64, [&](std::size_t begin, std::size_t end) {
     Draft draft;
     for (std::size_t i = begin; i < end; ++i) {
@@ -107,7 +108,9 @@ void TangentStiffness::draft_row(const TriangleMesh& mesh, const StressField& fi
   });
 }
 
-void TangentStiffness::make_room(std::int32_t v, std::int32_t count) {
+void TangentStiffness::make_room(const TriangleMesh& mesh, std::int32_t v) {
+  std::int32_t count = mesh.is_open_vertex(v) ? 2 : 1;  // itself, and a neighbour more than faces
+  mesh.for_each_outgoing(v, [&](std::int32_t) { ++count; });
   Extent& extent = rows_[v];
   if (count <= extent.capacity) return;
   extent.begin = static_cast<std::int64_t>(columns_.size());

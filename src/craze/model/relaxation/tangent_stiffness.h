@@ -45,7 +45,7 @@ class TangentStiffness {
   explicit TangentStiffness(double adhesion) : adhesion_(adhesion) {}
 
   bool empty() const { return rows_.empty(); }
-  void assemble(const TriangleMesh& mesh, const StressField& field);
+  void assemble(const TriangleMesh& mesh, const StressField& field, const Threads& threads = 1);
   /// Assembles the rows of all corners of the faces around these nodes again. Nodes that are new
   /// must be among them.
   void update(const TriangleMesh& mesh, const StressField& field,
@@ -79,7 +79,7 @@ class TangentStiffness {
 
   void draft_row(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
                  Draft& draft) const;
-  void make_room(std::int32_t v, std::int32_t count);
+  void make_room(const TriangleMesh& mesh, std::int32_t v);
   void store_row(const TriangleMesh& mesh, std::int32_t v, const Draft& draft);
 
   double adhesion_;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "craze/base/random.h"
@@ -23,13 +24,31 @@ class CorrelatedNoise {
  public:
   /// length: L > 0.
   CorrelatedNoise(double length, const Random& random, Period period = {});
+
+  /// What a value is made of, kept for the next one: places near each other need the same. For one
+  /// thread at a time, and one noise.
+  class Impulses;
+
   double at(const Vec3& position) const;
+  double at(const Vec3& position, Impulses& last) const;
 
  private:
   double radius_;             // of the kernel
   double cell_ = 1;           // width of a cell along x and y, radii, ≥ 1
   std::int64_t repeats_ = 0;  // after so many cells along x and y; 0: never
   Random random_;
+};
+
+class CorrelatedNoise::Impulses {
+ private:
+  friend class CorrelatedNoise;
+  static constexpr int per_cell = 4, count = 27 * per_cell;
+
+  void find(const Vec3& corner, const CorrelatedNoise& noise);
+  double sum(const Vec3& inside) const;
+
+  Vec3 corner_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  // of the middle cell
+  double x_[count], y_[count], z_[count], sign_[count];  // from there, in radii; ±1
 };
 
 /// #F values at the centroids; throws Cancelled. length = 0: each triangle's value is drawn by
