@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 export LC_ALL=C.UTF-8 CTEST_OUTPUT_ON_FAILURE=1
 fuzz_seconds=${CRAZE_FUZZ_SECONDS:-10}  # per target
 
-all=(packages format release example long debs core bytes wasm libcxx asan fuzz tsan tidy)
+all=(packages format release example long debs core narrow clang wasm libcxx asan fuzz tsan tidy)
 
 step_packages() { scripts/install-deps.sh --dev; }
 step_format() { git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run --Werror; }
@@ -27,8 +27,9 @@ step_core() {
   cmake --workflow --preset core
   ! ninja -C build/core -t deps | grep -E '/(embree3|tbb|oneapi)/|/(png|jpeglib)\.h$'
 }
-# The same bytes from every compiler and instruction set; after "release".
-step_bytes() { scripts/compare_builds.sh; }
+# The same bytes without AVX2, and by the other compiler; after "release".
+step_narrow() { scripts/compare_builds.sh narrow; }
+step_clang() { scripts/compare_builds.sh clang; }
 # The same bytes from WebAssembly; after "release".
 step_wasm() { ctest --test-dir build/release -L wasm --output-on-failure; }
 step_libcxx() { scripts/check_libcxx.sh; }

@@ -9,7 +9,7 @@ from typing import Any
 
 import bpy
 
-from . import cracked, process, runs, settings
+from . import cracked, panel_recipe, process, runs
 from .work import Work
 
 PAUSE = 0.15  # seconds without a change before it begins
@@ -47,7 +47,7 @@ def wanted(context: Any, do: str) -> None:
 def start(thing: Any, do: str, scene: Any) -> Work:
     """The work that brings a cracked object up to the panel; its result is runs.Made."""
     engine, order, name = process.engine(), cracked.order_of(thing), thing.data.name
-    recipe = settings.recipe_of(scene.craze, settings.to_engine(thing.matrix_world, order.stretch))
+    recipe = panel_recipe.recipe_of(scene.craze, panel_recipe.to_engine(thing.matrix_world, order.stretch))
     if do == "open" and recipe["post"]["gap_width"] == 0:
         post = {key: recipe["post"][key] for key in runs.POST}
         return Work(engine, runs.open_again(engine, order, name, post))
@@ -60,7 +60,7 @@ def finish(thing: Any, work: Work, scene: Any) -> None:
     cracked.replace_mesh(thing, work.result)
     if not work.result.report:
         recipe = json.loads(thing.craze.recipe)
-        shown = settings.recipe_of(scene.craze, list)
+        shown = panel_recipe.recipe_of(scene.craze, list)
         for key in runs.POST:
             recipe["post"][key] = shown["post"][key]
         thing.craze.recipe = json.dumps(recipe)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from contextlib import contextmanager
 from typing import Any, Iterator
 
@@ -145,10 +146,23 @@ def _finish(
         bpy.data.objects.remove(double)
 
 
+def _sharpen(mesh: Any, walls: np.ndarray) -> None:
+    """Edges of walls are hard: a smooth surface does not bend into its cracks."""
+    corners = np.repeat(walls, layers.get(mesh.polygons, "loop_total", np.int32))
+    sharp = layers.get(mesh.edges, "use_edge_sharp", bool)
+    sharp[layers.get(mesh.loops, "edge_index", np.int32)[corners]] = True
+    layers.put(mesh.edges, "use_edge_sharp", sharp)
+    if hasattr(mesh, "use_auto_smooth") and not mesh.use_auto_smooth:  # before 4.1
+        mesh.use_auto_smooth = True
+        mesh.auto_smooth_angle = math.pi  # what is not marked stays smooth
+
+
 def _normals(source: Any, mesh: Any, of: layers.Maps, walls: np.ndarray) -> None:
     if hasattr(source, "use_auto_smooth"):  # before 4.1
         mesh.use_auto_smooth = source.use_auto_smooth
         mesh.auto_smooth_angle = source.auto_smooth_angle
+    if walls.any():
+        _sharpen(mesh, walls)
     known = layers.custom_normals(source)
     if known is not None:
         normals = of.mixed(known)

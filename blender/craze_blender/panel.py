@@ -10,6 +10,7 @@ import bpy
 from . import cracked, table
 from .operators.stats import summary
 
+WIDE = 240  # logical pixels of a sidebar in which labels beside their fields are not cut off
 OPENING = ("post.gap", "post.gap_width", "post.wall", "post.curl")
 
 
@@ -18,16 +19,22 @@ class _Panel:
     bl_region_type = "UI"
     bl_category = "Craze"
 
+    def _begin(self, context: Any) -> Any:
+        """The layout: labels beside the fields where there is room, else within them."""
+        layout = self.layout
+        scale = context.preferences.system.ui_scale
+        layout.use_property_split = context.region.width >= WIDE * scale
+        layout.use_property_decorate = False
+        return layout
+
 
 class CRAZE_PT_main(_Panel, bpy.types.Panel):
     bl_label = "Craze"
 
     def draw(self, context: Any) -> None:
-        layout, panel = self.layout, context.scene.craze
-        layout.use_property_split = True
-        layout.use_property_decorate = False
+        layout, panel = self._begin(context), context.scene.craze
         layout.template_icon_view(panel, "preset", show_labels=True, scale=5)
-        layout.prop(panel, "preset")
+        layout.prop(panel, "preset", text="Preset" if layout.use_property_split else "")
         keys = panel.keys
         row = layout.row(align=True)
         row.prop(keys, "seed")
@@ -55,9 +62,7 @@ class CRAZE_PT_where(_Panel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: Any) -> None:
-        layout, keys = self.layout, context.scene.craze.keys
-        layout.use_property_split = True
-        layout.use_property_decorate = False
+        layout, keys = self._begin(context), context.scene.craze.keys
         row = layout.row(align=True)
         row.operator("craze.paint", text="Paint", icon="WPAINT_HLT").selected = False
         row.operator("craze.paint", text="Selected Faces", icon="FACESEL").selected = True
@@ -88,9 +93,7 @@ class CRAZE_PT_advanced(_Panel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: Any) -> None:
-        layout, panel = self.layout, context.scene.craze
-        layout.use_property_split = True
-        layout.use_property_decorate = False
+        layout, panel = self._begin(context), context.scene.craze
         layout.prop(panel, "search", text="", icon="VIEWZOOM")
         section = None
         for row in table.single():
@@ -113,10 +116,10 @@ class CRAZE_PT_result(_Panel, bpy.types.Panel):
         return cracked.is_cracked(context.active_object)
 
     def draw(self, context: Any) -> None:
-        layout, panel = self.layout, context.scene.craze
+        layout, panel = self._begin(context), context.scene.craze
         column = layout.column(align=True)
         for what, value in summary(json.loads(context.active_object.craze.report)):
-            row = column.split(factor=0.4)
+            row = column.split(factor=0.4 if layout.use_property_split else 0.5)
             row.label(text=what)
             row.label(text=value)
         column = layout.column(align=True)

@@ -3,29 +3,20 @@ object knows of how it came to be."""
 
 from __future__ import annotations
 
-import copy
-import json
-from typing import Any, Callable
+from typing import Any
 
 import bpy
-import numpy as np
-from mathutils import Vector
 
-from . import pictures, table
+from . import live, pictures, table
+from .panel_recipe import LARGEST, is_vector, show, to_property
 from .runs import POST
 
-LARGEST = 2**31 - 1  # of Blender's whole numbers
 GAP = 0.1  # of a new scene: presets leave cracks shut, and those are not seen in a viewport
 
 GROWTH = (
     ("KEYS", "Shape keys", "The engine's own stages, at most 32, with keyed values"),
     ("NODES", "Nodes", "A modifier with a keyed slider: each vertex moves at its time"),
 )
-
-
-def _is_vector(row: dict[str, Any]) -> bool:
-    """Always so many numbers; one that may be none is a text."""
-    return row["type"] in {"vec2", "vec3", "tensor6"} and len(row["default"]) > 0
 
 
 def _first(row: dict[str, Any]) -> Any:
@@ -61,107 +52,12 @@ def _annotation(row: dict[str, Any], update: Any) -> Any:
         if row["unit"] == "length":
             common.update(subtype="DISTANCE", unit="LENGTH")
         return bpy.props.FloatProperty(default=default, precision=3, **limits, **common)
-    if _is_vector(row):
+    if is_vector(row):
         if kind == "vec3" and row["unit"] == "length":
             common.update(subtype="XYZ", unit="LENGTH")
         size = len(default)
         return bpy.props.FloatVectorProperty(default=default, size=size, **limits, **common)
-    return bpy.props.StringProperty(default=_to_property(row, default), **common)
-
-
-def _from_property(row: dict[str, Any], value: Any) -> Any:
-    """A property's value as a recipe has it."""
-    kind = row["type"]
-    if kind in {"boolean", "choice", "integer"}:
-        return value
-    if isinstance(value, float):
-        return table.as_typed(value)
-    if not isinstance(value, str):
-        return [table.as_typed(x) for x in value]
-    if kind == "string":
-        return value
-    if kind == "names":
-        return [name.strip() for name in value.split(",") if name.strip()]
-    try:
-        return json.loads(value)  # "0.02", "[]"
-    except ValueError:
-        return value  # "auto"
-
-
-def _to_property(row: dict[str, Any], value: Any) -> Any:
-    kind = row["type"]
-    if kind == "integer":
-        return int(min(value, LARGEST))
-    if kind in {"boolean", "choice", "string"} or _is_vector(row):
-        return value
-    if kind == "names":
-        return ", ".join(value)
-    if kind in {"real", "length"} and isinstance(row["default"], (int, float)):
-        return value
-    return value if isinstance(value, str) else json.dumps(value)
-
-
-def _same(row: dict[str, Any], held: Any, value: Any) -> bool:
-    """A property holds a value, as well as it can."""
-    as_held = _to_property(row, value)
-    if isinstance(held, str) or isinstance(as_held, str):
-        return bool(held == as_held)
-    return bool((np.float32(held) == np.float32(as_held)).all())
-
-
-def to_engine(matrix: Any, stretch: np.ndarray) -> Callable[[Any], list[float]]:
-    """From places in the scene to those of the shape that is cracked (mesh_in.stretch_of)."""
-    back = matrix.inverted_safe()
-
-    def place(point: Any) -> list[float]:
-        return [float(x) for x in np.array(back @ Vector(point)) @ stretch]
-
-    return place
-
-
-def recipe_of(settings: Any, place: Callable[[Any], list[float]]) -> dict[str, Any]:
-    """The panel's recipe: the preset's own numbers where nothing was changed, so that the same
-    bytes come out as from the command. Points of impacts are in the scene; `place` moves them."""
-    recipe = copy.deepcopy(table.PRESETS[settings.preset])
-    for row in table.single():
-        held = getattr(settings.keys, table.property_name(row["key"]))
-        value = table.value_in(recipe, row["key"])
-        value = row["default"] if value is None else value
-        if not _same(row, held, value):
-            table.put(recipe, row["key"], _from_property(row, held))
-    for section, rows in table.repeated().items():
-        entries = getattr(settings.keys, section)
-        old = recipe.get(section, [])
-        recipe[section] = [
-            _entry(rows, entry, old[i] if i < len(old) else {}, place)
-            for i, entry in enumerate(entries)
-        ]
-    return recipe
-
-
-def _entry(rows: list[dict[str, Any]], entry: Any, old: dict[str, Any], place: Any) -> dict[str, Any]:
-    made = {}
-    for row in rows:
-        held, known = getattr(entry, row["name"]), old.get(row["name"], row["default"])
-        made[row["name"]] = known if _same(row, held, known) else _from_property(row, held)
-    made["point"] = place(made["point"])
-    return made
-
-
-def show(settings: Any, recipe: dict[str, Any]) -> None:
-    """Puts a recipe into the panel."""
-    for row in table.single():
-        value = table.value_in(recipe, row["key"])
-        value = row["default"] if value is None else value
-        setattr(settings.keys, table.property_name(row["key"]), _to_property(row, value))
-    for section, rows in table.repeated().items():
-        entries = getattr(settings.keys, section)
-        entries.clear()
-        for known in recipe.get(section, []):
-            entry = entries.add()
-            for row in rows:
-                if row["name"] in known:
-                    setattr(entry, row["name"], _to_property(row, known[row["name"]]))
+    return bpy.props.StringProperty(default=to_property(row, default), **common)
 
 
 def _preset_changed(settings: Any, _: Any) -> None:
@@ -176,8 +72,6 @@ def _key_changed(row: dict[str, Any]) -> Any:
     post = row["key"] in {f"post.{name}" for name in POST}
 
     def update(_: Any, context: Any) -> None:
-        from . import live
-
         live.wanted(context, "open" if post else "crack")
 
     return update

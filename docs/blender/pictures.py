@@ -106,6 +106,8 @@ def steps():
             bpy.ops.object.select_all(action="DESELECT")
         look(yaw, pitch, distance, target)
         yield 4.0  # until pictures of presets are there
+        view()["area"].tag_redraw()
+        yield 2.0
         shot(name)
         yield 0.5
         if name == "vase":

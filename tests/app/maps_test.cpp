@@ -42,7 +42,8 @@ TEST_F(MapFiles, OfACrackedMeshAreThoseOfTheRun) {
   const CommandResult result = run({"bake", "cut.ply", "-o", "two", "--map",
                                     "distance,mask,fragment", "--map-size", "64", "--quiet"});
   ASSERT_EQ(result.code, 0) << result.err;
-  for (const auto& map : description("one")["maps"]) {
+  const nlohmann::json maps = description("one")["maps"];
+  for (const auto& map : maps) {
     const std::string name = map["file"];
     const Image one = read_image_file(file("one") / name),
                 two = read_image_file(file("two") / name);

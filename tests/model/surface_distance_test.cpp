@@ -21,12 +21,12 @@ Vec3 centroid(const TriangleMesh& mesh, std::int32_t f) {
   return (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
 }
 
-SurfacePoint nearest(const TriangleMesh& mesh, const Vec3& p) {
+PointOnSurface nearest(const TriangleMesh& mesh, const Vec3& p) {
   return closest_surface_point(mesh, p, Context{});
 }
 
 void expect_straight(const TriangleMesh& mesh, const Vec3& from, double tolerance) {
-  const SurfacePoint source = nearest(mesh, from);
+  const PointOnSurface source = nearest(mesh, from);
   const SurfaceDistance d = surface_distance(mesh, source, {});
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const Vec3 ray = centroid(mesh, f) - source.position;
@@ -49,7 +49,7 @@ TEST(SurfaceDistance, FollowsTheSphereNotTheChord) {
   const int resolutions[] = {8, 16, 32};
   for (const int n : resolutions) {
     const TriangleMesh mesh = test::sphere(n, 1, 0.1);
-    const SurfacePoint source = nearest(mesh, {0.3, 0.5, 0.9});
+    const PointOnSurface source = nearest(mesh, {0.3, 0.5, 0.9});
     const SurfaceDistance d = surface_distance(mesh, source, {});
     double worst = 0;
     for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
@@ -65,7 +65,7 @@ TEST(SurfaceDistance, FollowsTheSphereNotTheChord) {
 
 TEST(SurfaceDistance, RunsAroundATubeNotThroughIt) {
   const TriangleMesh mesh = test::cylinder(120, 1, 0.1);
-  const SurfacePoint source = nearest(mesh, {1, 0, 0.5});
+  const PointOnSurface source = nearest(mesh, {1, 0, 0.5});
   const SurfaceDistance d = surface_distance(mesh, source, {});
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     const Vec3& p = mesh.position(v);

@@ -7,7 +7,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from .. import cracked, mesh_in, process, runs, settings, table
+from .. import cracked, mesh_in, panel_recipe, process, runs, table
 from ..work import Problem, Steps
 from .base import EngineOperator
 
@@ -113,7 +113,7 @@ class CRAZE_OT_crack(EngineOperator, bpy.types.Operator):
             return bpy.path.abspath(self.recipe) if self._is_path() else self.recipe
         if preset:
             return preset
-        return settings.recipe_of(panel, settings.to_engine(thing.matrix_world, stretch))
+        return panel_recipe.recipe_of(panel, panel_recipe.to_engine(thing.matrix_world, stretch))
 
     def _is_path(self) -> bool:
         return self.recipe.endswith((".toml", ".json"))

@@ -7,7 +7,7 @@ from typing import Any
 
 import bpy
 
-from .. import cracked, settings, table
+from .. import cracked, panel_recipe, table
 
 
 class CRAZE_OT_export_recipe(bpy.types.Operator):
@@ -29,7 +29,7 @@ class CRAZE_OT_export_recipe(bpy.types.Operator):
         if cracked.is_cracked(thing):
             recipe = json.loads(thing.craze.recipe)
         else:
-            recipe = settings.recipe_of(context.scene.craze, list)
+            recipe = panel_recipe.recipe_of(context.scene.craze, list)
         path = bpy.path.ensure_ext(bpy.path.abspath(self.filepath), ".toml")
         try:
             with open(path, "w", encoding="utf-8") as file:

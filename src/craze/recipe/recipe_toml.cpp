@@ -164,7 +164,8 @@ toml::table parse_setting(const Parameter& p, const std::string& text, const std
   const bool words = takes_words(p.type, text);
   const bool has_text = quoted || p.type == ParameterType::names;
   toml::table table;
-  if (p.is_length() || quoted || !words) {
+  const bool is_ascii = find_bare_non_ascii(text) == std::string_view::npos;
+  if ((p.is_length() || quoted || !words) && is_ascii) {
     try {
       check_toml_nesting(text, where, "recipe");
       table = toml::parse("value = " + (has_text ? text : with_whole_numbers(text)));

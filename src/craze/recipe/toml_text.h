@@ -21,4 +21,9 @@ toml::table parse_toml(std::string_view text, const std::string& name, const std
 /// wherever it stands: Error(usage).
 void check_toml_nesting(std::string_view text, const std::string& name, const std::string& what);
 
+/// Where a character that is not ASCII stands outside quotes and comments, as TOML allows none:
+/// bytes from the start; npos: nowhere. The library must not see it, as it takes some of them for
+/// what cannot be (its test for white space has no answer for them).
+std::size_t find_bare_non_ascii(std::string_view toml);
+
 }  // namespace craze

@@ -218,3 +218,14 @@ class Layers(Cracking):
                     np.testing.assert_allclose(new[i], old[before.loop[spot]], atol=1e-3)
                     checked += 1
         self.assertGreater(checked, 20)
+
+    def test_a_smooth_surface_does_not_bend_into_its_cracks(self):
+        mesh = meshes.grid(40)
+        mesh.polygons.foreach_set("use_smooth", [True] * len(mesh.polygons))
+        cracked = self.crack(meshes.link(mesh), recipe=RECIPE + "[post]\ngap = 0.1\nwall = 0.05\n").data
+        cracked.calc_normals_split()
+        normals = get(cracked.loops, "normal", 3)
+        source = get(cracked.attributes["source_face"].data, "value", 1, np.int32)[:, 0]
+        self.assertTrue((source < 0).any(), "there are walls")
+        flat = np.repeat(source >= 0, get(cracked.polygons, "loop_total", 1, np.int32)[:, 0])
+        np.testing.assert_allclose(normals[flat], np.tile((0, 0, 1), (flat.sum(), 1)), atol=1e-6)

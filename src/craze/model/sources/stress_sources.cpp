@@ -39,7 +39,7 @@ double decay(double r, double radius, double falloff) {
 
 void add_impact(std::vector<Sym2>& sigma, const TriangleMesh& mesh, const Impact& impact,
                 const char* where, const Context& context) {
-  const SurfacePoint hit = require_surface_point(mesh, impact.point, where, context);
+  const PointOnSurface hit = require_surface_point(mesh, impact.point, where, context);
   const SurfaceDistance distance = surface_distance(mesh, hit, context);
   const double radial_falloff = impact.radial_falloff > 0 ? impact.radial_falloff : impact.falloff;
   const double hoop_falloff = impact.hoop_falloff > 0 ? impact.hoop_falloff : impact.falloff;

@@ -58,7 +58,7 @@ double update(const Vec3& j, const Vec3& k, const Vec3& i, double dj, double dk)
 
 }  // namespace
 
-SurfaceDistance surface_distance(const TriangleMesh& mesh, const SurfacePoint& source,
+SurfaceDistance surface_distance(const TriangleMesh& mesh, const PointOnSurface& source,
                                  const Context& context, double reach) {
   SurfaceDistance result;
   result.vertex.assign(mesh.vertex_count(), infinite);
