@@ -25,15 +25,14 @@ const std::map<std::string, std::set<std::string>> may_use = {
 
 /// The room that each public header, include/craze/NAME.h, is the door of.
 const std::map<std::string, std::string> door_of = {
-    {"threads", "base"},      {"context", "base"},        {"period", "base"},
-    {"tensor", "base"},       {"grey_image", "base"},     {"error", "base"},
-    {"length", "base"},       {"surface_origin", "mesh"}, {"repair", "mesh"},
-    {"surface_mesh", "mesh"}, {"shapes", "mesh"},         {"line_set", "mesh"},
-    {"up_axis", "mesh"},      {"parameters", "model"},    {"opened_piece", "model"},
-    {"recipe", "recipe"},     {"presets", "recipe"},      {"engine", "engine"},
-    {"report", "engine"},     {"products", "products"},   {"maps", "products"},
-    {"write_mesh", "io"},     {"read_mesh", "io"},        {"material_look", "io"},
-    {"craze", "bindings"},
+    {"context", "base"},        {"error", "base"},        {"grey_image", "base"},
+    {"length", "base"},         {"tensor", "base"},       {"threads", "base"},
+    {"line_set", "mesh"},       {"repair", "mesh"},       {"shapes", "mesh"},
+    {"surface_mesh", "mesh"},   {"up_axis", "mesh"},      {"parameters", "model"},
+    {"presets", "recipe"},      {"recipe", "recipe"},     {"engine", "engine"},
+    {"report", "engine"},       {"products", "products"}, {"maps", "products"},
+    {"surface_origin", "mesh"}, {"material_look", "io"},  {"read_mesh", "io"},
+    {"write_mesh", "io"},       {"craze", "bindings"},    {"opened_piece", "model"},
 };
 
 /// "mesh" of "craze/mesh/weld.h" and of "craze/surface_mesh.h"; empty for headers of others.

@@ -1,7 +1,7 @@
 // Requests whose scale does not fit the object or the machine, found before any work.
 #pragma once
 
-#include "craze/period.h"
+#include "craze/base/period.h"
 #include "craze/recipe.h"
 #include "craze/surface_mesh.h"
 

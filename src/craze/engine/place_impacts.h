@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "craze/base/period.h"
 #include "craze/context.h"
 #include "craze/parameters.h"
-#include "craze/period.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {

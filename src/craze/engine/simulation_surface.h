@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/base/period.h"
 #include "craze/context.h"
-#include "craze/period.h"
 #include "craze/recipe.h"
 #include "craze/surface_mesh.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/period.h"
+#include "craze/base/period.h"
 #include "craze/surface_mesh.h"
 #include "craze/tensor.h"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "craze/base/period.h"
 #include "craze/parameters.h"
-#include "craze/period.h"
 #include "craze/tensor.h"
 
 namespace craze {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "craze/base/period.h"
 #include "craze/context.h"
-#include "craze/period.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {

@@ -10,8 +10,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "craze/base/period.h"
 #include "craze/base/symmetric_eigen.h"
-#include "craze/period.h"
 #include "craze/tensor.h"
 
 namespace craze {

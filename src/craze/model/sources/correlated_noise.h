@@ -8,10 +8,10 @@
 #include <limits>
 #include <vector>
 
+#include "craze/base/period.h"
 #include "craze/base/random.h"
 #include "craze/context.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/period.h"
 #include "craze/tensor.h"
 
 namespace craze {
