@@ -99,6 +99,36 @@ std::vector<Vec3> arc(const Vec3& a, const Vec3& b, int steps) {
   return points;
 }
 
+TEST(JunctionAngles, OfAJunctionOnABumpAreThoseOfTheSurfaceAround) {
+  CrackGraphInput input;
+  const auto add = [&](const Vec3& p) {
+    input.points.push_back(p);
+    input.normals.push_back(Vec3::UnitZ());
+    return static_cast<std::int32_t>(input.points.size()) - 1;
+  };
+  const std::int32_t middle = add(Vec3::Zero());
+  input.normals[0] = Vec3(1, 0.7, 0.3).normalized();  // one bump's
+  for (const Vec3& way : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0)}) {
+    std::int32_t last = middle;
+    for (int i = 1; i <= 40; ++i) {
+      const std::int32_t next = add(0.01 * i * way);
+      GraphInputEdge edge;
+      edge.a = last;
+      edge.b = next;
+      input.edges.push_back(edge);
+      last = next;
+    }
+  }
+  const CrackGraph graph(input);
+  std::int32_t node = 0;
+  while (graph.degree(node) != 3) ++node;
+  std::vector<double> sectors = sector_angles(graph, node, {0.05, 0.4});
+  std::sort(sectors.begin(), sectors.end());
+  EXPECT_NEAR(sectors[0], pi / 2, 0.01);
+  EXPECT_NEAR(sectors[1], pi / 2, 0.01);
+  EXPECT_NEAR(sectors[2], pi, 0.01);
+}
+
 TEST(JunctionAngles, AMeridianMeetsTheEquatorAtARightAngle) {
   const Vec3 node(1, 0, 0);
   const Mat32 frame = plane_frame(node);

@@ -34,6 +34,25 @@ struct Moments {
   }
 };
 
+/// The surface's normal over the reach of the fit: the mean along the branches, since that at the
+/// node alone is one bump's on a rough surface.
+Vec3 normal_around(const CrackGraph& graph, const CrackGraph::Node& node, double reach) {
+  Vec3 sum = Vec3::Zero();
+  for (const Dart d : node.darts) {
+    const CrackGraph::Edge& edge = graph.edges()[d / 2];
+    const std::size_t n = edge.points.size();
+    const auto index = [&](std::size_t i) { return (d & 1) != 0 ? n - 1 - i : i; };
+    double at = 0;
+    for (std::size_t i = 1; i < n && at < reach; ++i) {
+      const double length = (edge.points[index(i)] - edge.points[index(i - 1)]).norm();
+      sum += std::min(length, reach - at) * (edge.normals[index(i - 1)] + edge.normals[index(i)]);
+      at += length;
+    }
+  }
+  const double norm = sum.norm();
+  return norm > 0 ? Vec3(sum / norm) : node.normal;
+}
+
 }  // namespace
 
 double branch_direction(const std::vector<Vec3>& points, const Vec3& normal, const Mat32& frame,
@@ -78,14 +97,15 @@ std::vector<double> sector_angles(const CrackGraph& graph, std::int32_t n, const
   const CrackGraph::Node& node = graph.nodes()[n];
   const std::size_t degree = node.darts.size();
   if (degree < 2) return std::vector<double>(degree, 2 * pi);
-  const Mat32 frame = plane_frame(node.normal);
+  const Vec3 normal = normal_around(graph, node, fit.to);
+  const Mat32 frame = plane_frame(normal);
   std::vector<double> direction(degree), sectors(degree);
   for (std::size_t i = 0; i < degree; ++i) {
     const CrackGraph::Edge& edge = graph.edges()[node.darts[i] / 2];
     const bool back = node.darts[i] & 1;
     direction[i] = branch_direction(
-        back ? std::vector<Vec3>(edge.points.rbegin(), edge.points.rend()) : edge.points,
-        node.normal, frame, fit);
+        back ? std::vector<Vec3>(edge.points.rbegin(), edge.points.rend()) : edge.points, normal,
+        frame, fit);
   }
   double sum = 0;
   for (std::size_t i = 0; i < degree; ++i) {
