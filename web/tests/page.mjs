@@ -41,11 +41,20 @@ export async function openBrowser() {
   return { browser, origin, address: origin + below, close };
 }
 
+/** In the page: what a canvas has drawn stays in it, so that it can be looked at from within. */
+function keepDrawings() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, options) {
+    return getContext.call(this, kind, { ...options, preserveDrawingBuffer: true });
+  };
+}
+
 /** A new person's page. Nothing may be said on its console, and nothing asked of another origin:
  * leave() looks. */
 export async function visit({ browser, origin, address }, options = {}, hash = "") {
   const context = await browser.newContext({ acceptDownloads: true, ...options });
   await context.grantPermissions(["clipboard-read", "clipboard-write"], { origin });
+  await context.addInitScript(keepDrawings);
   const page = await context.newPage();
   page.setDefaultTimeout(120_000);
   const said = [];
