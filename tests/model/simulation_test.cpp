@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "craze/error.h"
 #include "craze/mesh/validate.h"
@@ -34,6 +35,19 @@ void expect_consistent(const Simulation& s, const std::string& shape) {
   }
   for (std::int32_t f = 0; f < s.mesh().face_count(); ++f) {
     ASSERT_TRUE(s.field().stress(s.mesh(), f).matrix().allFinite());
+  }
+}
+
+TEST(Simulation, TellsOfEachPieceOfCrackWhenItHasOpened) {
+  Simulation s = simulation_of("plate?n=20&jitter=0.3", small_run());
+  std::vector<OpenedPiece> told;
+  s.run({}, [&](const OpenedPiece& piece) { told.push_back(piece); });
+  ASSERT_EQ(static_cast<std::int64_t>(told.size()), s.segments());
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    const CrackSegment& segment = s.opened()[i].geometry;
+    EXPECT_EQ(told[i].number, static_cast<std::int64_t>(i));
+    EXPECT_EQ(told[i].from, s.mesh().position(segment.from_root));
+    EXPECT_EQ(told[i].to, s.mesh().position(segment.to_root));
   }
 }
 

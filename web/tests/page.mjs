@@ -2,8 +2,10 @@
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
+import { createRequire } from "node:module";
 import { dirname, extname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
+import { deflateRawSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
 const dist = join(dirname(dirname(fileURLToPath(import.meta.url))), "dist");
@@ -39,11 +41,20 @@ export async function openBrowser() {
   return { browser, origin, address: origin + below, close };
 }
 
+/** In the page: what a canvas has drawn stays in it, so that it can be looked at from within. */
+function keepDrawings() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, options) {
+    return getContext.call(this, kind, { ...options, preserveDrawingBuffer: true });
+  };
+}
+
 /** A new person's page. Nothing may be said on its console, and nothing asked of another origin:
  * leave() looks. */
 export async function visit({ browser, origin, address }, options = {}, hash = "") {
   const context = await browser.newContext({ acceptDownloads: true, ...options });
   await context.grantPermissions(["clipboard-read", "clipboard-write"], { origin });
+  await context.addInitScript(keepDrawings);
   const page = await context.newPage();
   page.setDefaultTimeout(120_000);
   const said = [];
@@ -58,6 +69,59 @@ export async function visit({ browser, origin, address }, options = {}, hash = "
     assert.deepEqual(asked.filter((url) => !url.startsWith(origin) && !/^(data|blob):/.test(url)), []);
   };
   return { page, leave };
+}
+
+export const still = { viewport: { width: 640, height: 480 }, reducedMotion: "reduce" };
+export const button = (page, name) => page.getByRole("button", { name, exact: true });
+
+export const slider = (page, name) => page.getByRole("slider", { name, exact: true });
+
+/** What a button has copied. */
+export async function copied(page, name) {
+  const pasted = () => page.evaluate(() => navigator.clipboard.readText());
+  // The status may speak of what was copied before.
+  await page.evaluate(() => navigator.clipboard.writeText(""));
+  await button(page, name).click();
+  await page.waitForFunction(async () => (await navigator.clipboard.readText()) !== "");
+  return pasted();
+}
+
+/** Drops a file on the page: a text, or numbers of bytes. */
+export async function drop(page, name, content) {
+  const data = await page.evaluateHandle(
+    ([name, content]) => {
+      const transfer = new DataTransfer();
+      const part = typeof content === "string" ? content : new Uint8Array(content);
+      transfer.items.add(new File([part], name));
+      return transfer;
+    },
+    [name, content],
+  );
+  await page.dispatchEvent("body", "drop", { dataTransfer: data });
+}
+
+/** What stands behind the page's address for a project; what is left out is as at first. */
+export const addressOf = (project) =>
+  `#${deflateRawSync(JSON.stringify(project)).toString("base64url")}`;
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** What shuts people out. */
+export async function violations(page) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  return violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`);
+}
+
+export async function exported(page, format) {
+  await page.getByRole("combobox", { name: "Export format" }).selectOption({ label: format });
+  const [download] = await Promise.all([page.waitForEvent("download"), button(page, "Export").click()]);
+  return readFileSync(await download.path());
+}
+
+/** What the canvas shows, as text that is equal for equal pictures. */
+export async function picture(page) {
+  return (await page.locator(".view canvas").screenshot()).toString("base64");
 }
 
 export const progress = (page) => page.getByRole("status", { name: "Progress" });

@@ -2,7 +2,7 @@
 import type { LoopState } from "../engine/messages";
 import { svg } from "../ui/svg";
 
-const ellipse = 0.03; // length of an axis where ς is τ; the plate is 1 wide
+const ellipse = 0.02; // length of an axis where ς is τ; the plate is 1 wide
 const arrow = 0.6; // length of a force, over its size
 
 export interface Shown {

@@ -24,7 +24,7 @@ const fragmentShader = `
   uniform bool byAge;
   varying float passed;
   void main() {
-    if (passed > time) discard;
+    if (passed > time + 1e-5) discard; // interpolated between equal ends, it is not quite theirs
     gl_FragColor = vec4(byAge ? mix(oldest, youngest, passed) : color, 1.0);
     #include <colorspace_fragment>
   }`;

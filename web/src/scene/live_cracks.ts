@@ -9,7 +9,7 @@ export class LiveCracks {
 
   /** Lies on the mesh that the cracks grow on, which is not quite the one that is seen. */
   constructor() {
-    this.lines.lift(2e-3);
+    this.lines.lift(3e-4);
     this.clear();
   }
 

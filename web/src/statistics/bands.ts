@@ -13,13 +13,13 @@ export const rows: readonly Row[] = [
   { key: "angles.y", name: "Y junctions", low: 0, high: 1 },
   { key: "nodes.cross", name: "X crossings", low: 0, high: 0.5 },
   { key: "nodes.end", name: "Free ends", low: 0, high: 0.6 },
-  { key: "angles.min", name: "Smallest angle, °", low: 60, high: 120 },
-  { key: "angles.mid", name: "Middle angle, °", low: 80, high: 140 },
-  { key: "angles.max", name: "Largest angle, °", low: 120, high: 180 },
-  { key: "cells.sides", name: "Sides of a cell", low: 3, high: 7 },
-  { key: "areas.cv", name: "Spread of areas", low: 0, high: 1.2 },
+  { key: "angles.min", name: "Least angle °", low: 60, high: 120 },
+  { key: "angles.mid", name: "Middle angle °", low: 80, high: 140 },
+  { key: "angles.max", name: "Largest angle °", low: 120, high: 180 },
+  { key: "cells.sides", name: "Sides", low: 3, high: 7 },
+  { key: "areas.cv", name: "Area spread", low: 0, high: 1.2 },
   { key: "edges.tortuosity", name: "Tortuosity", low: 1, high: 1.2 },
-  { key: "order.leg_younger", name: "Legs that came later", low: 0.5, high: 1 },
+  { key: "order.leg_younger", name: "Legs younger", low: 0.5, high: 1 },
 ];
 
 /** Published, by preset and key: from, to. */

@@ -4,7 +4,7 @@ import { element } from "../ui/elements";
 import { svg } from "../ui/svg";
 import { published, rows, type Row } from "./bands";
 
-const width = 96; // of a plot, in pixels
+const width = 64; // of a plot, in pixels
 const height = 16;
 
 export function statisticsTable(statistics: Statistics, preset: string): HTMLTableElement {
@@ -39,7 +39,7 @@ const number = (x: number) => String(Number(x.toPrecision(3)));
 
 function valueOf({ value, error }: Measured): string {
   if (error === null) return number(value!);
-  return `${number(value!)} ± ${Number(error.toPrecision(2))}`;
+  return `${number(value!)} ± ${Number(error.toPrecision(1))}`;
 }
 
 const textOf = ([low, high]: readonly [number, number]) =>

@@ -1,0 +1,119 @@
+// What should not hurt: broken files, a worker that dies, many runs.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import {
+  addressOf,
+  button,
+  copied,
+  cracked,
+  drop,
+  exported,
+  openBrowser,
+  progress,
+  skip,
+  still,
+  visit,
+} from "./page.mjs";
+
+const plate = addressOf({ source: { kind: "shape", specification: "plate?n=8" }, spacing: 0.5 });
+
+let browser;
+before(async () => {
+  if (!skip) browser = await openBrowser();
+});
+after(() => browser?.close());
+
+const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const header = (rest) => `ply\nformat ascii 1.0\n${rest}end_header\n`;
+const vertices = "property float x\nproperty float y\nproperty float z\n";
+const faces = "property list uchar int vertex_indices\n";
+const stl = (count) => [...Array(80).fill(32), ...new Uint8Array(new Uint32Array([count]).buffer)];
+const glb = (json) => {
+  const length = Math.ceil(json.length / 4) * 4;
+  const head = new Uint8Array(new Uint32Array([0x46546c67, 2, 20 + length, length, 0x4e4f534a]).buffer);
+  return [...head, ...Buffer.from(json.padEnd(length))];
+};
+
+// Each is none, or says what it is not.
+const hostile = {
+  "empty.obj": "",
+  "no-vertex.obj": `${triangle}f 1 2 4\n`,
+  "far-back.obj": `${triangle}f -1 -2 -9\n`,
+  "nan.obj": "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+  "infinite.obj": "v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+  "letters.obj": "v a b c\nf x y z\n",
+  "flat.obj": "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n",
+  "many.ply": header(`element vertex 4000000000\n${vertices}element face 1\n${faces}`),
+  "negative.ply": header(`element vertex -1\n${vertices}`),
+  "short.ply": `${header(`element vertex 3\n${vertices}element face 1\n${faces}`)}0 0 0\n`,
+  "no-end.ply": "ply\nformat ascii 1.0\nelement vertex 3\n",
+  "short.stl": stl(1000),
+  "none.stl": stl(0),
+  "noise.glb": Array.from({ length: 400 }, (_, i) => (i * 197 + 31) % 256),
+  "cut.glb": [0x67, 0x6c, 0x54, 0x46, 2, 0, 0, 0],
+  "no-json.glb": glb("{"),
+  "loop.glb": glb('{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]}'),
+  "no-buffer.glb": glb('{"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":7}}]}],"nodes":[{"mesh":0}]}'),
+  "off.off": "OFF\n3 1 0\n0 0 0\n",
+  "picture.png": "\x89PNG\r\n",
+  "project.craze": '{"preset": 7}',
+  "broken.craze": "{",
+};
+
+test("hostile files are one sentence each, and the page lives on", { skip }, async () => {
+  const { page, leave } = await visit(browser, still, plate);
+  await cracked(page);
+  const bytes = await exported(page, "PLY");
+  const command = await copied(page, "Copy command");
+  const alert = page.getByRole("alert").filter({ hasText: /\w/ });
+  for (const [name, content] of Object.entries(hostile)) {
+    await drop(page, name, content);
+    await alert.waitFor();
+    const said = await alert.textContent();
+    assert.doesNotMatch(said, /\n|undefined|\[object/, name);
+    await button(page, "Copy command").click(); // takes the alert away
+    await alert.waitFor({ state: "detached" });
+  }
+  assert.equal(await copied(page, "Copy command"), command);
+  assert.deepEqual(await exported(page, "PLY"), bytes);
+  await leave();
+});
+
+test("a worker that dies in the middle of a run takes nothing with it", { skip }, async () => {
+  const { page, leave } = await visit(browser, still, plate);
+  await cracked(page);
+  const bytes = await exported(page, "PLY");
+  await page.getByRole("combobox", { name: "Shape" }).selectOption("Cup");
+  await progress(page).filter({ hasText: /^crack/ }).waitFor();
+  for (const worker of page.workers()) await worker.evaluate(() => self.close()).catch(() => {});
+  await button(page, "Cancel").click();
+  await button(page, "Undo").click();
+  await cracked(page);
+  assert.deepEqual(await exported(page, "PLY"), bytes);
+  await leave();
+});
+
+test("fifty runs leave no memory and no worker behind", { skip }, async () => {
+  const { page, leave } = await visit(browser, still, plate);
+  await cracked(page);
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable");
+  const used = async () => {
+    await session.send("HeapProfiler.collectGarbage");
+    const { metrics } = await session.send("Performance.getMetrics");
+    return metrics.find(({ name }) => name === "JSHeapUsedSize").value / 1e6;
+  };
+  const run = async () => {
+    await button(page, "New seed").click();
+    await page.waitForFunction(
+      () => !/fragments in/.test(document.querySelector("[role=status]").textContent),
+    );
+    await cracked(page);
+  };
+  for (let i = 0; i < 10; ++i) await run();
+  const [before, workers] = [await used(), page.workers().length];
+  for (let i = 0; i < 40; ++i) await run();
+  assert.ok((await used()) < before + 3, `${before} MB, ${await used()} MB`);
+  assert.ok(page.workers().length <= workers, `${page.workers().length} workers`);
+  await leave();
+});

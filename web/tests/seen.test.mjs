@@ -1,0 +1,184 @@
+// What the page shows of a result, and how it comes to be.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import {
+  addressOf,
+  button,
+  cracked,
+  exported,
+  openBrowser,
+  picture,
+  progress,
+  skip,
+  still,
+  violations,
+  visit,
+} from "./page.mjs";
+
+const small = addressOf({ source: { kind: "shape", specification: "cup?n=24" }, spacing: 0.3 });
+const show = (page, view) => page.getByRole("combobox", { name: "Show" }).selectOption(view);
+
+let browser;
+before(async () => {
+  if (!skip) browser = await openBrowser();
+});
+after(() => browser?.close());
+
+test("cracks are seen while they are computed", { skip }, async () => {
+  const long = addressOf({ preset: "mud", spacing: 0.08 });
+  const { page, leave } = await visit(browser, still, long);
+  // Frame by frame, and from within: a picture of the page takes longer than the cracks do.
+  const pictures = page.evaluate(async () => {
+    const small = new OffscreenCanvas(64, 48).getContext("2d", { willReadFrequently: true });
+    const seen = new Set();
+    for (let said = ""; !/fragments in/.test(said); ) {
+      await new Promise(requestAnimationFrame);
+      said = document.querySelector("[role=status]").textContent;
+      if (!/^crack/.test(said)) continue;
+      small.drawImage(document.querySelector(".view canvas"), 0, 0, 64, 48);
+      seen.add(small.getImageData(0, 0, 64, 48).data.join());
+    }
+    return seen.size;
+  });
+  await cracked(page);
+  assert.ok((await pictures) > 3, `${await pictures} pictures`);
+  await leave();
+});
+
+test("each way to look at a result is another picture, and the first comes back", { skip }, async () => {
+  const { page, leave } = await visit(browser, still, small);
+  await cracked(page);
+  const first = await picture(page);
+  const seen = new Set([first]);
+  for (const view of ["Fragments", "Age of cracks", "Stress", "Separation ς"]) {
+    await show(page, view);
+    // The state is asked of the engine.
+    if (/Stress|Sep/.test(view)) await page.getByText(/force/).filter({ visible: true }).waitFor();
+    seen.add(await picture(page));
+  }
+  await page.getByRole("checkbox", { name: "Principal directions" }).uncheck();
+  seen.add(await picture(page));
+  await show(page, "Surface");
+  assert.equal(await picture(page), first);
+  await page.getByRole("checkbox", { name: "Wireframe" }).check();
+  seen.add(await picture(page));
+  assert.equal(seen.size, 7);
+  await leave();
+});
+
+test("a kept result stays at the left while the right changes", { skip }, async () => {
+  const wide = { ...still, viewport: { width: 920, height: 480 } };
+  const { page, leave } = await visit(browser, wide, small);
+  await cracked(page);
+  const halves = async () => {
+    const { x, y, width, height } = await page.locator(".view canvas").boundingBox();
+    const half = { y, width: width / 2 - 2, height };
+    const left = await page.screenshot({ clip: { x, ...half } });
+    const right = await page.screenshot({ clip: { x: x + width / 2 + 2, ...half } });
+    return [left.toString("base64"), right.toString("base64")];
+  };
+  const [left, right] = await halves();
+  await button(page, "Compare").click();
+  await button(page, "New seed").click();
+  await progress(page).filter({ hasText: /^\D/ }).waitFor();
+  await cracked(page);
+  const [kept, other] = await halves();
+  assert.equal(kept, left);
+  assert.notEqual(other, right);
+  await button(page, "Stop comparing").click();
+  assert.notEqual((await halves())[0], left);
+  await leave();
+});
+
+test("statistics stand beside what is published", { skip }, async () => {
+  const { page, leave } = await visit(browser, still, small);
+  await cracked(page);
+  await button(page, "Measure").click();
+  const row = page.getByRole("row", { name: /^Sides/ });
+  await row.waitFor();
+  const [measured, published] = await row.getByRole("cell").allTextContents();
+  assert.match(measured, /^[\d.]+ ± [\d.]+$/);
+  assert.equal(published, "4");
+  assert.deepEqual(await violations(page), []);
+  await leave();
+});
+
+test("the paper's loop is gone through step by step, to its end", { skip }, async () => {
+  const { page, leave } = await visit(browser, still, small);
+  await cracked(page);
+  await button(page, "How it cracks").click();
+  const dialog = page.getByRole("dialog", { name: "The paper's loop" });
+  const current = () => dialog.locator("[aria-current=step]").textContent();
+  const next = dialog.getByRole("button", { name: "Next", exact: true });
+  const lines = ["1.", "2.", "3a.", "3b.", "3c.", "3a."];
+  for (const line of lines) {
+    await dialog.locator("[aria-current=step]").filter({ hasText: line }).waitFor();
+    if (line !== lines.at(-1)) await next.click();
+  }
+  assert.deepEqual(await violations(page), []);
+  const turn = dialog.getByRole("button", { name: "Next crack" });
+  const cracks = async () => (await dialog.locator(".crack").count()) + (await current());
+  for (let before = ""; await turn.isEnabled(); ) {
+    await turn.click();
+    const now = await cracks();
+    if (now === before) await page.waitForTimeout(50);
+    before = now;
+  }
+  assert.match(await dialog.getByRole("status").textContent(), /loop ends/);
+  await page.keyboard.press("Escape");
+  assert.equal(await dialog.isVisible(), false);
+  await leave();
+});
+
+test("pictures, lines and films are exported", { skip }, async () => {
+  const plate = addressOf({ source: { kind: "shape", specification: "plate?n=20" }, spacing: 0.3 });
+  const { page, leave } = await visit(browser, still, plate);
+  await cracked(page);
+  const begins = (bytes, wanted) => assert.equal(bytes.subarray(0, wanted.length).toString("latin1"), wanted);
+  begins(await exported(page, "Picture (PNG)"), "\x89PNG");
+  assert.match((await exported(page, "Lines (SVG)")).toString(), /<svg[^]*<path/);
+  begins(await exported(page, "Film (WebM)"), "\x1aE\xdf\xa3");
+  begins(await exported(page, "GLB"), "glTF");
+  await leave();
+});
+
+test("a curved surface has no drawing, which is said in one sentence", { skip }, async () => {
+  const { page, leave } = await visit(browser, still, small);
+  await cracked(page);
+  await page.getByRole("combobox", { name: "Export format" }).selectOption({ label: "Lines (SVG)" });
+  await button(page, "Export").click();
+  const alert = page.getByRole("alert").filter({ hasText: /\w/ });
+  await alert.waitFor();
+  assert.doesNotMatch(await alert.textContent(), /\n/);
+  await leave();
+});
+
+test("the page opens without a network once it was there", { skip }, async () => {
+  const { page, leave } = await visit(browser, still, small);
+  await cracked(page);
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  const away = page.context();
+  await away.setOffline(true);
+  await page.reload();
+  await cracked(page);
+  await away.setOffline(false);
+  await leave();
+});
+
+test("the page is at most 1.5 MB to load", { skip }, async () => {
+  const { gzipSync } = await import("node:zlib");
+  const { context } = { context: await browser.browser.newContext(still) };
+  const page = await context.newPage();
+  const bodies = new Map();
+  page.on("response", async (answer) => {
+    const path = new URL(answer.url()).pathname;
+    if (answer.ok() && !bodies.has(path)) bodies.set(path, answer.body());
+  });
+  await page.goto(browser.address + small);
+  await cracked(page);
+  let size = 0;
+  for (const body of bodies.values()) size += gzipSync(await body, { level: 6 }).length;
+  assert.ok(bodies.size > 4);
+  assert.ok(size < 1.5e6, `${size}`);
+  await context.close();
+});
