@@ -100,8 +100,9 @@ class Scene(Case):
 
     def test_what_a_format_cannot_hold_is_said(self):
         told = self.quietly(self.crack(craze.read(self.given)).write, "a.stl")
-        self.assertEqual(len(told), 1)
-        self.assertRegex(told[0], r"\.stl has no place.*2 animations")
+        self.assertEqual(len(told), 2)  # of the surface, of the scene
+        self.assertRegex(told[0], r"\.stl has no place.*texture coordinates")
+        self.assertRegex(told[1], r"\.stl has no place.*2 animations")
 
 
 if __name__ == "__main__":
