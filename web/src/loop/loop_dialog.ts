@@ -12,11 +12,12 @@ export class LoopDialog {
   private readonly code = new Map(
     lines.map(({ key, text }) => [key, element("li", { class: `level${key.length}` }, text)]),
   );
-  private readonly back = button("Back", () => void this.go(this.step - 1));
-  private readonly next = button("Next", () => void this.go(this.step + 1), { class: "main" });
-  private readonly turn = button("Next crack", () => void this.go(this.step + 3));
+  private readonly back = button("Back", () => void this.go(-1));
+  private readonly next = button("Next", () => void this.go(1), { class: "main" });
+  private readonly turn = button("Next crack", () => void this.go(3));
   private states = new Map<number, Promise<LoopState>>();
-  private step = 0;
+  private wanted = 0; // the step to be shown
+  private showing = false;
 
   constructor(
     private readonly engine: Engine,
@@ -39,6 +40,7 @@ export class LoopDialog {
 
   async open(): Promise<void> {
     this.states.clear(); // of another seed
+    this.wanted = 0;
     this.root.showModal();
     await this.go(0);
   }
@@ -49,12 +51,25 @@ export class LoopDialog {
     return known;
   }
 
-  private async go(to: number): Promise<void> {
-    const n = Math.max(to, 0);
+  /** So many steps on; those asked for while a state is computed count too. */
+  private async go(by: number): Promise<void> {
+    this.wanted = Math.max(this.wanted + by, 0);
+    if (this.showing) return;
+    this.showing = true;
+    try {
+      for (let shown = -1; shown !== this.wanted; ) {
+        shown = this.wanted;
+        await this.show(shown);
+      }
+    } finally {
+      this.showing = false;
+    }
+  }
+
+  private async show(n: number): Promise<void> {
     const { line, crack, says } = stepAt(n);
     const before = await this.state(crack);
     const after = n > 1 ? await this.state(crack + 1) : before;
-    this.step = n;
     const turns = n > 1;
     const cracked = turns && line !== "3a";
     const ended = turns && after.events.length === before.events.length;
