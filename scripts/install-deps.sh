@@ -27,7 +27,10 @@ development=(
 
 case "${1:-}" in
   "") ;;
-  --dev) packages+=("${development[@]}") ;;
+  --dev)
+    packages+=("${development[@]}")
+    command -v npm > /dev/null || packages+=(npm)  # comes with node where that is not Debian's
+    ;;
   *) echo "usage: $0 [--dev]" >&2; exit 2 ;;
 esac
 

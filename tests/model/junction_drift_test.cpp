@@ -29,14 +29,6 @@ CrackNetwork star(const std::vector<double>& directions, double length) {
   return network;
 }
 
-double total_length(const CrackNetwork& network) {
-  double sum = 0;
-  for (const CrackEdge& e : network.edges) {
-    sum += (network.nodes[e.a].position - network.nodes[e.b].position).norm();
-  }
-  return sum;
-}
-
 const CrackNode& junction_of(const CrackNetwork& network) {
   for (const CrackNode& node : network.nodes) {
     if (node.kind == JunctionKind::junction) return node;
