@@ -15,7 +15,7 @@ std::vector<std::string> types_of(const std::filesystem::path& header) {
   static const std::regex space("^namespace ([A-Za-z_:]+) \\{");
   static const std::regex type(
       "^(?:struct|class|union|enum class|enum) (?:alignas\\(\\w+\\) |\\[\\[.*\\]\\] "
-      ")?(\\w+)[^;]*$");
+      ")?([\\w:]+)[^;]*$");
   std::vector<std::string> types;
   std::string inside;
   std::istringstream lines(read_text(header));

@@ -88,7 +88,7 @@ class SameBytes(unittest.TestCase):
             self.compare(meshes.grid(12), "--recipe", str(recipe), recipe=str(recipe))
 
     def test_an_untouched_panel_says_what_the_preset_says(self):
-        from craze_blender import settings
+        from craze_blender import panel_recipe
 
         for preset in table.PRESETS:
             with self.subTest(preset=preset):
@@ -97,7 +97,7 @@ class SameBytes(unittest.TestCase):
                 for key in ("post_gap", "post_wall", "post_curl"):
                     setattr(panel.keys, key, 0.0)
                 panel.keys.seed = 1
-                self.assertEqual(settings.recipe_of(panel, list), table.PRESETS[preset])
+                self.assertEqual(panel_recipe.recipe_of(panel, list), table.PRESETS[preset])
 
 
 def write(path, mesh):
