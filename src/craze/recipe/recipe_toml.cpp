@@ -164,11 +164,11 @@ toml::table parse_setting(const Parameter& p, const std::string& text, const std
   const bool words = takes_words(p.type, text);
   const bool has_text = quoted || p.type == ParameterType::names;
   toml::table table;
-  const bool is_ascii = find_bare_non_ascii(text) == std::string_view::npos;
-  if ((p.is_length() || quoted || !words) && is_ascii) {
+  const std::string toml = "value = " + (has_text ? text : with_whole_numbers(text));
+  if ((p.is_length() || quoted || !words) && !find_toml_fault(toml)) {
     try {
       check_toml_nesting(text, where, "recipe");
-      table = toml::parse("value = " + (has_text ? text : with_whole_numbers(text)));
+      table = toml::parse(toml);
       if (table.size() == 1 && !table["value"].is_table()) return table;
     } catch (const toml::parse_error&) {
       table.clear();

@@ -19,7 +19,7 @@ bool may_touch_a_key_dot(char c) {
          std::string_view("_-\"' \t").find(c) != std::string_view::npos;
 }
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF", blanks = " \t", line_ends = "\n\v\f\r";
 
 /// The end of the string that begins with the quote at `begin`; one that is not closed ends with
 /// its line, or with the text if it may have many.
@@ -39,21 +39,53 @@ std::size_t end_of_string(std::string_view toml, std::size_t begin) {
   return i;
 }
 
+/// Where the key of a header should be that begins with the bracket at `begin`.
+std::size_t key_of_header(std::string_view toml, std::size_t begin) {
+  std::size_t key = toml.find_first_not_of(blanks, begin + 1);
+  if (key < toml.size() && toml[key] == '[') key = toml.find_first_not_of(blanks, key + 1);
+  return key;
+}
+
+/// What begins a key, or shuts a header without one, which the library refuses by itself.
+bool may_follow_header_bracket(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) ||
+         std::string_view("_-\"']").find(c) != std::string_view::npos;
+}
+
 }  // namespace
 
-std::size_t find_bare_non_ascii(std::string_view toml) {
+std::optional<TomlFault> find_toml_fault(std::string_view toml) {
+  bool at_line_start = true, in_header = false;
+  int open = 0;  // brackets of arrays, whose lines begin with values
   std::size_t i = toml.substr(0, byte_order_mark.size()) == byte_order_mark ? 3 : 0;
   while (i < toml.size()) {
-    if (static_cast<unsigned char>(toml[i]) >= 0x80) return i;
-    if (toml[i] == '"' || toml[i] == '\'') {
+    const char c = toml[i];
+    if (static_cast<unsigned char>(c) >= 0x80) {
+      return TomlFault{i, "a character that is not ASCII must stand in quotes"};
+    }
+    if (at_line_start && open == 0 && c == '[') {
+      const std::size_t key = key_of_header(toml, i);
+      if (key < toml.size() && !may_follow_header_bracket(toml[key])) {
+        return TomlFault{key, "a header must begin with a key"};
+      }
+      in_header = true;
+    }
+    if (line_ends.find(c) != std::string_view::npos) {
+      at_line_start = true;
+      in_header = false;
+    } else if (blanks.find(c) == std::string_view::npos) {
+      at_line_start = false;
+    }
+    if (!in_header) open = std::max(0, open + (c == '[') - (c == ']'));
+    if (c == '"' || c == '\'') {
       i = end_of_string(toml, i);
-    } else if (toml[i] == '#') {
+    } else if (c == '#') {
       i = std::min(toml.find('\n', i), toml.size());
     } else {
       ++i;
     }
   }
-  return std::string_view::npos;
+  return std::nullopt;
 }
 
 void check_toml_nesting(std::string_view text, const std::string& name, const std::string& what) {
@@ -75,11 +107,11 @@ toml::table parse_toml(std::string_view text, const std::string& name, const std
   }
   if (is_json(text)) return read_json_table(text, name);
   check_toml_nesting(text, name, what);
-  if (const std::size_t at = find_bare_non_ascii(text); at != std::string_view::npos) {
-    const std::string_view before = text.substr(0, at);
+  if (const std::optional<TomlFault> fault = find_toml_fault(text)) {
+    const std::string_view before = text.substr(0, fault->at);
     throw Error(ErrorKind::usage, "not a TOML " + what,
                 fmt::format("{}:{}", name, std::count(before.begin(), before.end(), '\n') + 1),
-                "a character that is not ASCII must stand in quotes");
+                fault->why);
   }
   try {
     return toml::parse(text, name);

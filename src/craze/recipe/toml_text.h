@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,9 +22,15 @@ toml::table parse_toml(std::string_view text, const std::string& name, const std
 /// wherever it stands: Error(usage).
 void check_toml_nesting(std::string_view text, const std::string& name, const std::string& what);
 
-/// Where a character that is not ASCII stands outside quotes and comments, as TOML allows none:
-/// bytes from the start; npos: nowhere. The library must not see it, as it takes some of them for
-/// what cannot be (its test for white space has no answer for them).
-std::size_t find_bare_non_ascii(std::string_view toml);
+/// Something in a text that is no TOML.
+struct TomlFault {
+  std::size_t at;   ///< bytes from the start
+  const char* why;  ///< one line
+};
+
+/// The first of what the TOML library must not see, as it takes it for what cannot be and its
+/// behaviour is undefined then: characters that are not ASCII outside quotes and comments (its test
+/// for white space has no answer for some), and headers that do not begin with a key.
+std::optional<TomlFault> find_toml_fault(std::string_view toml);
 
 }  // namespace craze
