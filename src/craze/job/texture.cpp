@@ -9,6 +9,7 @@
 #include "craze/job/tile_look.h"
 #include "craze/job/tile_preview.h"
 #include "craze/products/maps/bake_surface.h"
+#include "craze/products/maps/groove_sampler.h"
 #include "craze/products/maps/tile_surface.h"
 #include "craze/render/png.h"
 
@@ -17,7 +18,6 @@ namespace craze {
 namespace {
 
 constexpr int preview_texels = 384;
-constexpr double hairline = 0.0021;  // of the diagonal: products/maps/groove_sampler.cpp
 
 /// A tile and all that its maps are made of.
 struct Textured {

@@ -11,8 +11,7 @@ namespace craze {
 
 namespace {
 
-constexpr double hairline = 0.0021;  // of the box's diagonal: render/picture.cpp
-constexpr int parts = 2;             // of a texel along each side
+constexpr int parts = 2;  // of a texel along each side
 /// Texels around a face, and around one at the border of an island, that it is asked for.
 constexpr double inside_margin = 1, border_margin = texels_followed + 2;
 /// The same at most, over the mean length of the cracks' pieces: where texels are so large that a

@@ -11,6 +11,9 @@
 
 namespace craze {
 
+/// How wide pictures draw cracks, of the diagonal of the surface's box (render/picture.cpp).
+inline constexpr double hairline = 0.0021;
+
 /// Width and depth of every crack's groove.
 struct GrooveSizes {
   /// Per crack: half the width at its a and b, length: post.gap times the opening, or where there
