@@ -4,6 +4,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { dirname, extname, join, normalize } from "node:path";
+import { after, before } from "node:test";
 import { fileURLToPath } from "node:url";
 import { deflateRawSync } from "node:zlib";
 import { chromium } from "playwright-core";
@@ -27,7 +28,7 @@ function serve() {
   return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server)));
 }
 
-export async function openBrowser() {
+async function openBrowser() {
   const server = await serve();
   const browser = await chromium.launch({
     executablePath,
@@ -39,6 +40,16 @@ export async function openBrowser() {
     server.close();
   };
   return { browser, origin, address: origin + below, close };
+}
+
+/** A browser for all tests of a file, there once they run. */
+export function browserOfTests() {
+  const held = {};
+  before(async () => {
+    if (!skip) Object.assign(held, await openBrowser());
+  });
+  after(() => held.close?.());
+  return held;
 }
 
 /** In the page: what a canvas has drawn stays in it, so that it can be looked at from within. */

@@ -1,13 +1,13 @@
 // The built page as a person and as a screen reader find it.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
+  browserOfTests,
   button,
   copied,
   cracked,
   drop,
   exported,
-  openBrowser,
   progress,
   skip,
   slider,
@@ -20,11 +20,7 @@ const buttons = ["Open", "Crack", "Cancel", "Undo", "Redo", "Export", "Copy comm
 const sliders = ["Spacing", "Load", "Gap", "Wall", "Curl", "Growth", "Brush size", "Brush strength"];
 const paints = ["None", "Stress", "Strength", "Spacing", "Mask", "Impact"];
 
-let browser;
-before(async () => {
-  if (!skip) browser = await openBrowser();
-});
-after(() => browser?.close());
+const browser = browserOfTests();
 
 test("a cracked cup is there, and every control has its role and name", { skip }, async () => {
   const { page, leave } = await visit(browser, still);

@@ -1,14 +1,14 @@
 // What should not hurt: broken files.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   addressOf,
+  browserOfTests,
   button,
   copied,
   cracked,
   drop,
   exported,
-  openBrowser,
   skip,
   still,
   visit,
@@ -16,11 +16,7 @@ import {
 
 const plate = addressOf({ source: { kind: "shape", specification: "plate?n=8" }, spacing: 0.5 });
 
-let browser;
-before(async () => {
-  if (!skip) browser = await openBrowser();
-});
-after(() => browser?.close());
+const browser = browserOfTests();
 
 const triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const header = (rest) => `ply\nformat ascii 1.0\n${rest}end_header\n`;

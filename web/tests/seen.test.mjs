@@ -1,12 +1,12 @@
 // What the page shows of a result, and how it comes to be.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   addressOf,
+  browserOfTests,
   button,
   cracked,
   exported,
-  openBrowser,
   picture,
   progress,
   skip,
@@ -18,11 +18,7 @@ import {
 const small = addressOf({ source: { kind: "shape", specification: "cup?n=24" }, spacing: 0.3 });
 const show = (page, view) => page.getByRole("combobox", { name: "Show" }).selectOption(view);
 
-let browser;
-before(async () => {
-  if (!skip) browser = await openBrowser();
-});
-after(() => browser?.close());
+const browser = browserOfTests();
 
 test("cracks are seen while they are computed", { skip }, async () => {
   const long = addressOf({ preset: "mud", spacing: 0.08 });

@@ -1,14 +1,14 @@
 // What a new user wants, done as one would do it: by what the page says, without help.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   addressOf,
+  browserOfTests,
   button,
   copied,
   cracked,
   drop,
   exported,
-  openBrowser,
   picture,
   progress,
   skip,
@@ -19,11 +19,7 @@ import {
 
 const small = addressOf({ source: { kind: "shape", specification: "cup?n=24" }, spacing: 0.3 });
 
-let browser;
-before(async () => {
-  if (!skip) browser = await openBrowser();
-});
-after(() => browser?.close());
+const browser = browserOfTests();
 
 /** A tube in metres as GLB: positions and indices, nothing else. */
 function tube(radius, height, around, along) {
