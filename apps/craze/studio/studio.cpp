@@ -52,8 +52,7 @@ void add_studio(CLI::App& app, Action& action) {
       "  craze studio\n"
       "  craze studio --port 0 --no-browser\n"
       "The page is served to this machine alone, and nothing leaves it. Ctrl-C ends it. The "
-      "browser "
-      "keeps what was done there, by port.");
+      "browser keeps what was done there, by port.");
   verb->callback([options, &action] { action = [options] { return studio(*options); }; });
 }
 

@@ -49,7 +49,7 @@ std::vector<double> opposite_cotangents(const TriangleMesh& mesh) {
   std::vector<double> cotangents;
   cotangents.reserve(3 * static_cast<std::size_t>(mesh.face_count()));
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
-    const Vec3& apex = mesh.position(mesh.from(h % 3 == 0 ? h + 2 : h - 1));
+    const Vec3& apex = mesh.position(mesh.from(TriangleMesh::prev(h)));
     const Vec3 a = mesh.position(mesh.from(h)) - apex, b = mesh.position(mesh.to(h)) - apex;
     const double sine = a.cross(b).norm(), cosine = a.dot(b);
     cotangents.push_back(cosine > least * sine ? std::min(cosine / sine, most) : least);
