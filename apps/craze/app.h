@@ -3,12 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <string_view>
+
+#include "terminal/exit_code.h"
+#include "terminal/print.h"
 
 namespace craze::app {
-
-/// Exit codes of the command.
-constexpr int done = 0, failed = 1, wrong_usage = 2;
 
 /// What the chosen verb does; set while the command line is read, called after it.
 using Action = std::function<int()>;
@@ -28,9 +27,5 @@ void add_parameters(CLI::App& app, Action& action);
 
 /// For options that take a number of 0 or more.
 CLI::Validator not_negative();
-
-/// Writes results to standard output and returns the exit code: `failed`, without a word, where a
-/// pipe is closed; throws Error(output) where writing fails otherwise.
-int print(std::string_view text);
 
 }  // namespace craze::app

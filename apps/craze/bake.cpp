@@ -5,9 +5,9 @@
 #include "craze/job/load_surface.h"
 #include "craze/job/output_folder.h"
 #include "craze/job/write_maps.h"
-#include "error_line.h"
 #include "map_options.h"
 #include "run_options.h"
+#include "terminal/error_line.h"
 
 namespace craze::app {
 

@@ -4,10 +4,10 @@
 #include "app.h"
 #include "craze/job/run.h"
 #include "craze/presets.h"
-#include "interrupt.h"
 #include "map_options.h"
 #include "picture_options.h"
 #include "run_options.h"
+#include "terminal/interrupt.h"
 
 namespace craze::app {
 

@@ -8,8 +8,8 @@
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/figure_run.h"
-#include "interrupt.h"
 #include "run_options.h"
+#include "terminal/interrupt.h"
 
 namespace craze::app {
 

@@ -1,18 +1,14 @@
 // The craze command: reads the command line, runs one verb, turns errors into one line and a code.
 #include <algorithm>
 #include <csignal>
-#include <exception>
-#include <new>
 
 #include "app.h"
 #include "craze/base/version.h"
-#include "craze/context.h"
 #include "craze/error.h"
 #include "craze/recipe/nearest_name.h"
-#include "error_line.h"
-#include "interrupt.h"
-#include "message_style.h"
-#include "standard_streams.h"
+#include "terminal/error_line.h"
+#include "terminal/message_style.h"
+#include "terminal/standard_streams.h"
 
 namespace {
 
@@ -84,18 +80,5 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   const MessageStyle style = message_style(argc, argv);
-  try {
-    return run_command(argc, argv, style);
-  } catch (const craze::Cancelled&) {
-    print_stopped(style);
-    return interrupt_code();
-  } catch (const craze::Error& e) {
-    print_error(style, e.what());
-    return e.kind() == craze::ErrorKind::usage ? wrong_usage : failed;
-  } catch (const std::bad_alloc&) {
-    print_error(style, "out of memory: try a coarser mesh.edge or a smaller input");
-  } catch (const std::exception& e) {
-    print_error(style, std::string("unexpected failure: ") + e.what());
-  }
-  return failed;
+  return exit_code_of(style, [&] { return run_command(argc, argv, style); });
 }

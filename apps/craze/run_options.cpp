@@ -1,9 +1,9 @@
 #include "run_options.h"
 
-#include "error_line.h"
-#include "interrupt.h"
-#include "progress_json.h"
-#include "progress_line.h"
+#include "terminal/error_line.h"
+#include "terminal/interrupt.h"
+#include "terminal/progress_json.h"
+#include "terminal/progress_line.h"
 
 namespace craze::app {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "craze/context.h"
-#include "message_style.h"
-#include "progress_view.h"
+#include "terminal/message_style.h"
+#include "terminal/progress_view.h"
 
 namespace craze::app {
 

@@ -23,6 +23,8 @@ class Studio : public CommandTest {
     fs::create_directories(page() / "assets");
     command_ = (folder_ / "bin/craze").string();
     fs::copy_file(CRAZE_COMMAND, command_);
+    fs::create_directories(server().parent_path());
+    fs::copy_file(CRAZE_STUDIO, server());
     std::ofstream(folder_ / "secret") << "not for anyone";
     std::ofstream(page() / "index.html") << "<title>a page</title>";
     std::ofstream(page() / "assets/engine.wasm") << "code";
@@ -34,6 +36,7 @@ class Studio : public CommandTest {
     setenv("PATH", path_.c_str(), 1);
   }
 
+  fs::path server() const { return folder_ / "libexec/craze/craze-studio"; }
   fs::path page() const { return folder_ / "share/craze/studio"; }
 
   /// Starts it and waits until it says its port; 0 where it never does.
@@ -110,6 +113,17 @@ TEST_F(Studio, SaysInOneLineThatAPortIsTaken) {
 TEST_F(Studio, SaysInOneLineThatItHasNoPage) {
   fs::remove(page() / "index.html");
   expect_error({"studio", "--no-browser"}, 1, "no page to show (" + page().string() + ")");
+}
+
+TEST_F(Studio, SaysInOneLineThatNothingServesIt) {
+  fs::remove(server());
+  expect_error({"studio", "--no-browser"}, 1, "cannot serve the page (");
+}
+
+// What serving needs would make every start of the command slower.
+TEST_F(Studio, IsServedByAProgramOfItsOwn) {
+  EXPECT_EQ(read_text(CRAZE_COMMAND).find("libcpp-httplib"), std::string::npos);
+  EXPECT_NE(read_text(CRAZE_STUDIO).find("libcpp-httplib"), std::string::npos);
 }
 
 TEST_F(Studio, RefusesAPortThatIsNone) {

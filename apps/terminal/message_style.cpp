@@ -1,4 +1,4 @@
-#include "message_style.h"
+#include "terminal/message_style.h"
 
 #include <string_view>
 

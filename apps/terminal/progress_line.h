@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "progress_view.h"
+#include "terminal/progress_view.h"
 
 namespace craze::app {
 

@@ -1,9 +1,11 @@
+#include "terminal/print.h"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 
-#include "app.h"
 #include "craze/error.h"
+#include "terminal/exit_code.h"
 
 namespace craze::app {
 

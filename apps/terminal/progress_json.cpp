@@ -1,4 +1,4 @@
-#include "progress_json.h"
+#include "terminal/progress_json.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,19 +1,19 @@
-// craze studio: the page on this machine, for this machine.
-#include <chrono>
+// craze studio: the page on this machine, for this machine, by a program of its own.
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "app.h"
 #include "craze/error.h"
-#include "error_line.h"
-#include "interrupt.h"
-#include "open_browser.h"
-#include "page_folder.h"
-#include "page_server.h"
 
 namespace craze::app {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 // Always the same, since browsers keep what was done there by address.
 constexpr int usual_port = 8173;
@@ -23,18 +23,21 @@ struct Options {
   bool no_browser = false;
 };
 
+/// Where what serves the page lies: as installed; else as built.
+fs::path server() {
+  std::error_code none;
+  const fs::path here = fs::read_symlink("/proc/self/exe", none).parent_path();
+  const fs::path installed = (here / CRAZE_STUDIO_FROM_COMMAND).lexically_normal();
+  if (fs::exists(installed, none)) return installed;
+  return here / "libexec/craze/craze-studio";
+}
+
+/// Goes on as that program, and returns only where it cannot.
 int studio(const Options& options) {
-  catch_interrupt();
-  const PageServer server(page_folder(), options.port);
-  const std::string address = server.address();
-  if (const int code = print("The studio is at " + address + " until Ctrl-C.\n"); code != done) {
-    return code;
-  }
-  if (!options.no_browser && !open_browser(address)) {
-    print_warning(MessageStyle::line, "no browser was opened (xdg-open): it is not there");
-  }
-  while (!was_interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  throw Cancelled();
+  const std::string program = server().string(), port = std::to_string(options.port);
+  execl(program.c_str(), program.c_str(), "--port", port.c_str(),
+        options.no_browser ? "--no-browser" : nullptr, nullptr);
+  throw Error(ErrorKind::request, "cannot serve the page", program, std::strerror(errno));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "error_line.h"
+#include "terminal/error_line.h"
 
 #include <unistd.h>
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "message_style.h"
+#include "terminal/message_style.h"
 
 namespace craze::app {
 

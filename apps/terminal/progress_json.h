@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "progress_view.h"
+#include "terminal/progress_view.h"
 
 namespace craze::app {
 

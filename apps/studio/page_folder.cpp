@@ -11,12 +11,9 @@ namespace fs = std::filesystem;
 fs::path page_folder() {
   std::error_code none;
   const fs::path here = fs::read_symlink("/proc/self/exe", none).parent_path();
-  // As installed; as built, where CMake links it to what is built in web/.
-  const fs::path installed = (here / CRAZE_PAGE_FROM_COMMAND).lexically_normal();
-  for (const fs::path& folder : {installed, here / "share/craze/studio"}) {
-    if (fs::is_regular_file(folder / "index.html", none)) return folder;
-  }
-  throw Error(ErrorKind::request, "no page to show", installed.string(),
+  const fs::path folder = (here / CRAZE_PAGE_FROM_PROGRAM).lexically_normal();
+  if (fs::is_regular_file(folder / "index.html", none)) return folder;
+  throw Error(ErrorKind::request, "no page to show", folder.string(),
               "this craze was installed without its studio; docs/studio.md says how it is built");
 }
 
