@@ -13,7 +13,7 @@ namespace craze {
 namespace {
 
 SimulationSurface plate() {
-  return {make_shape("plate?n=40&jitter=0.3"), {}, {}, {}, {}};
+  return {make_shape("plate?n=40&jitter=0.3")};
 }
 
 SimulationParameters mud(std::int64_t cycles) {

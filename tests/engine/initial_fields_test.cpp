@@ -8,7 +8,7 @@ namespace craze {
 namespace {
 
 SimulationFields fields_of(const SimulationParameters& parameters) {
-  const SimulationSurface surface{make_shape("torus?n=30"), {}, {}, {}, {}};
+  const SimulationSurface surface{make_shape("torus?n=30")};
   const TriangleMesh mesh(surface.mesh.positions, surface.mesh.triangles);
   return initial_fields(surface, mesh, parameters, {}, {});
 }

@@ -16,14 +16,14 @@ struct SimulationSurface {
   SurfaceMesh mesh;  ///< with every attribute of the repaired input
   /// #F, 1 where a multiplier of the recipe is zero at the input's triangle or one of its corners;
   /// empty: nowhere. A finer mesh mixes what the corners hold, but not this.
-  std::vector<std::uint8_t> forbidden;
+  std::vector<std::uint8_t> forbidden = {};
   /// The repaired input, where the mesh is another one and mesh.output asks for the input's
   /// triangles; else empty.
-  SurfaceMesh asset;
+  SurfaceMesh asset = {};
   /// #F: a face of the asset that lies near each, on its side of any wall.
-  std::vector<std::int32_t> asset_face;
-  Period period;             ///< of `mesh`
-  std::vector<double> mask;  ///< #F, how freely each face cracks (crack_mask.h); empty: all do
+  std::vector<std::int32_t> asset_face = {};
+  Period period = {};             ///< of `mesh`
+  std::vector<double> mask = {};  ///< #F, how freely each face cracks (crack_mask.h); empty: all do
   /// #V of the asset: its vertices without the bumps that the mesh leaves out; empty: it leaves out
   /// none.
   std::vector<Vec3> smooth = {};
