@@ -93,7 +93,9 @@ TEST(ARun, EndsUnderAnyLoad) {
     p.evolution.max_load = load;
     EXPECT_TRUE(ends(p));
     p.evolution.shrinkage = 0.5;
-    if (load < largest) EXPECT_TRUE(ends(p));
+    if (load < largest) {
+      EXPECT_TRUE(ends(p));
+    }
     p.engine = Engine::quasistatic;
     EXPECT_TRUE(ends(p));
     p.material.criterion = Criterion::strength;
