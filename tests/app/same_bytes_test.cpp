@@ -16,7 +16,7 @@ class OldMachine {
 
 /// The shapes of the check across builds (scripts/compare_builds.sh).
 std::vector<std::string> shapes() {
-  std::ifstream file(std::string(CRAZE_SOURCE_DIR) + "/tests/same_bytes/shapes.txt");
+  std::ifstream file(std::filesystem::path(CRAZE_SOURCE_DIR) / "tests/same_bytes/shapes.txt");
   std::vector<std::string> result;
   for (std::string line; std::getline(file, line);) result.push_back(line);
   return result;

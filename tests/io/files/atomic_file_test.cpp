@@ -1,5 +1,6 @@
 #include "craze/io/files/atomic_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -87,6 +88,31 @@ TEST(AtomicFile, AFullDeviceIsAnError) {
   const std::string message = message_of([] { write_file("/dev/full", "x"); }, ErrorKind::output);
   EXPECT_NE(message.find("No space left on device"), std::string::npos);
   EXPECT_TRUE(fs::exists("/dev/full"));
+}
+
+// Where clusters keep what is only for now.
+TEST(AtomicFile, FilesInTheMemoryOfTheMachineAreFiles) {
+  const fs::path folder = fs::path("/dev/shm") / fmt::format("craze-test-{}", ::getpid());
+  std::error_code none;
+  if (!fs::create_directory(folder, none)) GTEST_SKIP();
+  write_file(folder / "a", "new");
+  EXPECT_EQ(read_file(folder / "a"), "new");
+  fs::remove_all(folder);
+}
+
+TEST(AtomicFile, ALentNameKeepsTheFileBehindIt) {
+  const TemporaryFolder folder;
+  write_file(folder / "a", "old");
+  const int fd = ::open((folder / "a").c_str(), O_WRONLY | O_TRUNC);
+  ASSERT_GE(fd, 0);
+  struct stat before {
+  }, after{};
+  ASSERT_EQ(::fstat(fd, &before), 0);
+  write_file(fmt::format("/dev/fd/{}", fd), "new");
+  EXPECT_EQ(::stat((folder / "a").c_str(), &after), 0);
+  ::close(fd);
+  EXPECT_EQ(before.st_ino, after.st_ino);
+  EXPECT_EQ(read_file(folder / "a"), "new");
 }
 
 TEST(AtomicFile, LinksKeepPointingToTheFile) {

@@ -42,11 +42,12 @@ int write_beside(const fs::path& path, std::string_view bytes, const Context& co
   return file.move_to(path);
 }
 
-/// True for names the system lends, such as /dev/stdout: even where a regular file is behind
-/// them, another program holds it open, and replacing it would write past that program.
+/// True for names the system lends, such as those /dev/stdout is a link to: even where a regular
+/// file is behind them, another program holds it open, and replacing it would write past that
+/// program.
 bool is_lent(const fs::path& path) {
   const std::string text = path.string();
-  return text.starts_with("/dev/") || text.starts_with("/proc/");
+  return text.starts_with("/dev/fd/") || text.starts_with("/proc/");
 }
 
 int write_anywhere(fs::path path, std::string_view bytes, const Context& context) {
