@@ -11,7 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-PICTURES, MASKS = (".jpg", ".jpeg", ".png", ".bmp", ".tif", ".tiff"), (".png", ".bmp", ".tif", ".jpg", ".mat")
+PICTURES = (".jpg", ".jpeg", ".png", ".bmp", ".tif", ".tiff")
+MASKS = (".png", ".bmp", ".tif", ".tiff", ".jpg", ".mat")
 LAYOUTS = [
     ("images", "masks"),
     ("images", "coverage"),
@@ -24,9 +25,10 @@ LAYOUTS = [
 QUALITY = 92  # of the JPEG that all arms' pictures are packed as
 
 
-def pairs(folder, part="test"):
+def pairs(folder, part="test", split=False):
     """(picture, mask) paths of a data set, in the order of their names. `part` is train or test, for
-    layouts that have them. ValueError where the layout is none of these or a picture has no mask."""
+    layouts that have them; with `split`, of others every fourth pair is for the test. ValueError
+    where the layout is none of these or a picture has no mask."""
     for pictures, masks in LAYOUTS:
         at, of = Path(folder, pictures.format(part=part)), Path(folder, masks.format(part=part))
         if not at.is_dir() or not of.is_dir():
@@ -36,7 +38,10 @@ def pairs(folder, part="test"):
         alone = [p.name for p in found if p.stem not in labels]
         if alone:
             raise ValueError(f"{of}: no mask for {', '.join(alone[:3])}")
-        return [(p, labels[p.stem]) for p in found]
+        whole = [(p, labels[p.stem]) for p in found]
+        if not split or "{part}" in pictures:
+            return whole
+        return [pair for k, pair in enumerate(whole) if (k % 4 == 3) == (part == "test")]
     known = "; ".join(f"{a} + {b}".format(part=part) for a, b in LAYOUTS)
     raise ValueError(f"{folder}: none of the layouts that are known: {known}")
 
@@ -86,11 +91,12 @@ def _starts(length, size):
     return [round(k * (length - size) / max(1, count - 1)) for k in range(count)]
 
 
-def load(folder, part="test", size=256, most=None):
-    """Squares of the first `most` pictures of a set: (n, size, size, 3) uint8, (n, size, size) bool."""
+def load(folder, part="test", size=256, most=None, split=False):
+    """Squares of the first `most` pictures of a set (see `pairs`): (n, size, size, 3) uint8, (n, size,
+    size) bool."""
     squares = [
         square
-        for picture, mask in pairs(folder, part)[:most]
+        for picture, mask in pairs(folder, part, split)[:most]
         for square in tiles(read_picture(picture), read_mask(mask), size)
     ]
     if not squares:

@@ -49,7 +49,8 @@ def to_linear(picture):
 
 
 def to_srgb(linear):
-    s = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055)
+    curve = 1.055 * np.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055
+    s = np.where(linear <= 0.0031308, 12.92 * linear, curve)
     return np.clip(np.floor(255 * s + 0.5), 0, 255).astype(np.uint8)
 
 

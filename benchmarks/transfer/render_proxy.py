@@ -80,7 +80,8 @@ def grid(place, n=70):
 
 
 def write_obj(path, points, faces):
-    lines = ["v %.6f %.6f %.6f" % p for p in points] + ["f %d %d %d" % tuple(k + 1 for k in f) for f in faces]
+    lines = ["v %.6f %.6f %.6f" % p for p in points]
+    lines += ["f %d %d %d" % tuple(k + 1 for k in f) for f in faces]
     path.write_text("\n".join(lines) + "\n")
 
 
@@ -159,7 +160,7 @@ def grounds(rng):
 
 
 def material(rng, view):
-    """One of five surfaces; `view` is the height of what is seen, model units."""
+    """One of six surfaces; `view` is the height of what is seen, model units."""
     kind = rng.choice(["concrete", "granite", "marble", "earth", "flaking", "tiles"])
     colour, made = grounds(rng), Shader(kind)
     fine = made.texture("ShaderNodeTexNoise", rng.uniform(40, 120) / view, Detail=6.0)
@@ -173,8 +174,10 @@ def material(rng, view):
         cells = made.texture("ShaderNodeTexVoronoi", rng.uniform(30, 80) / view, "Color")
         looks = made.mix(rng.uniform(0.2, 0.5), tint, cells, "SOFT_LIGHT")
     elif kind == "marble":
-        veins = made.texture("ShaderNodeTexWave", rng.uniform(1, 3) / view, Distortion=12.0, Detail=4.0)
-        looks = made.ramp(veins, [(0.0, shade(colour, 0.55)), (0.25, shade(colour, 1.3)), (1.0, shade(colour, 1.4))])
+        scale = rng.uniform(1, 3) / view
+        veins = made.texture("ShaderNodeTexWave", scale, Distortion=12.0, Detail=4.0)
+        stops = [(0.0, 0.55), (0.25, 1.3), (1.0, 1.4)]
+        looks = made.ramp(veins, [(at, shade(colour, factor)) for at, factor in stops])
         roughness, strength = rng.uniform(0.1, 0.4), 0.05
     elif kind == "flaking":
         patch = made.texture("ShaderNodeTexNoise", rng.uniform(3, 8) / view, Detail=8.0)
@@ -220,8 +223,8 @@ def cracked(rng, craze, folder, view, clean):
         "post.wall": width * rng.uniform(0.7, 2.0),
         "seed": rng.randrange(1, 10**6),
     }
-    command = [craze, "crack", folder / "in.obj", "-o", folder / "out.obj", "--quiet", "--no-warnings"]
-    command += ["--preset", rng.choice(PRESETS)]
+    command = [craze, "crack", folder / "in.obj", "-o", folder / "out.obj", "--quiet"]
+    command += ["--no-warnings", "--preset", rng.choice(PRESETS)]
     most = round(math.exp(rng.uniform(math.log(20), math.log(900))))
     command += ["--max-cracks", str(0 if clean else most)]
     for key, value in keys.items():
@@ -257,9 +260,8 @@ def strewn(rng, target, view, frame):
             for k, point in enumerate(line.points):
                 way = view * (0.3 if kind == "hair" else 1.0) * (k - 2) / 2
                 bend = view * 0.08 * rng.uniform(-1, 1) * (kind == "hair")
-                at = place + frame @ mathutils.Vector(
-                    (way * math.cos(away) - bend * math.sin(away), way * math.sin(away) + bend * math.cos(away), lift)
-                )
+                c, s = math.cos(away), math.sin(away)
+                at = place + frame @ mathutils.Vector((way * c - bend * s, way * s + bend * c, lift))
                 point.co = (*at, 1)
             line.use_endpoint_u = True
             made.append(link(kind, curve))
@@ -278,7 +280,8 @@ def lamps(rng, frame):
     world = bpy.context.scene.world = bpy.data.worlds.new("sky")
     world.use_nodes = True
     sky = rng.uniform(0.2, 0.7)
-    world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.95 * sky, sky, 1.05 * sky, 1)
+    colour = (0.95 * sky, sky, 1.05 * sky, 1)
+    world.node_tree.nodes["Background"].inputs["Color"].default_value = colour
 
 
 def camera(rng, points, faces, walls, view):
@@ -333,7 +336,8 @@ def render(path, samples, look):
 def empty():
     for made in list(bpy.data.objects):
         bpy.data.objects.remove(made)
-    for kind in (bpy.data.images, bpy.data.meshes, bpy.data.curves, bpy.data.materials, bpy.data.worlds, bpy.data.lights):
+    held = bpy.data
+    for kind in (held.images, held.meshes, held.curves, held.materials, held.worlds, held.lights):
         for made in list(kind):
             kind.remove(made)
 

@@ -1,4 +1,4 @@
-"""Trains every arm with every seed and judges it on the test pictures. Writes after each training.
+"""Trains every arm with every seed and judges it on the test pictures; writes after each training.
 
     python3 run.py --data DATA --out results.json
 
@@ -40,7 +40,9 @@ class Store:
     def get(self, name, part, most=None):
         key = (name, part, most)
         if key not in self.held:
-            pictures, masks = load(self.folder(name, part), part, self.given.size, most)
+            own = name == "real" and self.given.real is not None
+            folder = self.folder(name, part)
+            pictures, masks = load(folder, part, self.given.size, most, split=own)
             self.held[key] = (
                 torch.from_numpy(pictures).permute(0, 3, 1, 2).contiguous().to(self.given.device),
                 torch.from_numpy(masks)[:, None].to(self.given.device),
@@ -112,7 +114,8 @@ def main():
     given, start = arguments(), time.time()
     arms = arms_of(SYNTHETIC, "real", given.parts)
     chosen = {name: sets for name, sets in arms.items() if not given.arms or name in given.arms}
-    tasks = [(arm, sets, seed) for seed in range(1, given.seeds + 1) for arm, sets in chosen.items()]
+    seeds = range(1, given.seeds + 1)
+    tasks = [(arm, sets, seed) for seed in seeds for arm, sets in chosen.items()]
     setting = {k: v for k, v in vars(given).items() if k not in ("data", "real", "out", "arms")}
     setting["torch"] = torch.__version__
     if given.device == "cuda":
@@ -127,8 +130,9 @@ def main():
             part.write_text(text)
             part.replace(given.out)
             f1 = run["measures"]["f1"]
-            print(f"{time.time() - start:6.1f} s  {run['arm']}  seed {run['seed']}  F1 {f1:.3f}", flush=True)
-            if time.time() - start > given.limit:
+            took = time.time() - start
+            print(f"{took:6.1f} s  {run['arm']}  seed {run['seed']}  F1 {f1:.3f}", flush=True)
+            if took > given.limit:
                 print(f"stopped at the limit, {len(runs)} of {len(tasks)} done", flush=True)
                 pool.terminate()
                 break

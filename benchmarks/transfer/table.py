@@ -1,6 +1,7 @@
 """The table of docs/transfer.md from what run.py wrote: means over seeds with their 95 % intervals.
 
     python3 table.py results.json
+    python3 table.py results.json --into ../../docs/transfer.md
 """
 
 import argparse
@@ -17,6 +18,7 @@ MEASURES = {
     "false_on_clean": "false on clean, %",
     "width_error": "width error, px",
 }
+MARKS = ("<!-- results: table.py -->", "<!-- end of results -->")
 LOWER_IS_BETTER = {"false_on_clean", "width_error"}
 # Student's t at 97.5 % for 1, 2, … degrees of freedom; beyond, the normal law's is too small by < 5 %
 STUDENT = [12.71, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31, 2.26, 2.23, 2.20, 2.18, 2.16, 2.14, 2.13,
@@ -63,16 +65,18 @@ def verdict(measure, ours, other):
 
 def text(results, ours="craze", others=("craze_painted", "voronoi", "walks")):
     means, counts = by_arm(results)
-    lines = ["| trained on | pictures | seeds | " + " | ".join(MEASURES.values()) + " |"]
+    names = " | ".join(MEASURES.values())
+    lines = [f"| trained on | pictures | seeds | {names} |"]
     lines.append("|" + "---|" * (len(MEASURES) + 3))
     for arm, row in means.items():
         pictures, seeds = counts[arm]
         cells = [cell(m, *row[m]) for m in MEASURES]
-        lines.append(f"| {arm} | {' + '.join(map(str, pictures))} | {seeds} | {' | '.join(cells)} |")
+        count = " + ".join(map(str, pictures))
+        lines.append(f"| {arm} | {count} | {seeds} | {' | '.join(cells)} |")
     lines.append("")
-    lines.append(f"Intervals of `{ours}` beside the others' (overlap: the seeds do not tell them apart):")
+    lines.append(f"`{ours}` beside the others (overlap: the seeds do not tell them apart):")
     lines.append("")
-    lines.append("| beside | " + " | ".join(MEASURES.values()) + " |")
+    lines.append(f"| beside | {names} |")
     lines.append("|" + "---|" * (len(MEASURES) + 1))
     for other in others:
         if ours in means and other in means:
@@ -87,10 +91,23 @@ def text(results, ours="craze", others=("craze_painted", "voronoi", "walks")):
     return "\n".join(lines)
 
 
+def placed(page, told):
+    """The page with the text between its marks, in place of what was there."""
+    head, rest = page.split(MARKS[0])
+    _, tail = rest.split(MARKS[1])
+    return head + MARKS[0] + "\n" + told + "\n" + MARKS[1] + tail
+
+
 def main():
     parse = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parse.add_argument("results", type=Path)
-    print(text(json.loads(parse.parse_args().results.read_text())))
+    parse.add_argument("--into", type=Path, help="a page that has a marked place for it")
+    given = parse.parse_args()
+    told = text(json.loads(given.results.read_text()))
+    if given.into:
+        given.into.write_text(placed(given.into.read_text(), told))
+    else:
+        print(told)
 
 
 if __name__ == "__main__":

@@ -176,6 +176,12 @@ class Data(unittest.TestCase):
         self.assertEqual([p.stem for p, _ in data.pairs(folder, "train")], ["b"])
         self.assertEqual([p.stem for p, _ in data.pairs(folder, "test")], ["a"])
 
+    def test_a_set_without_parts_is_split_into_two_that_share_nothing(self):
+        folder = self.layout(*(f"{kind}/{k}.png" for kind in ("images", "masks") for k in range(8)))
+        names = {part: [p.stem for p, _ in data.pairs(folder, part, split=True)] for part in
+                 ("train", "test")}
+        self.assertEqual(names, {"train": list("012456"), "test": list("37")})
+
     def test_a_picture_without_a_mask_is_named(self):
         with self.assertRaisesRegex(ValueError, "no mask for b.jpg"):
             data.pairs(self.layout("images/a.jpg", "images/b.jpg", "masks/a.png"))
@@ -197,6 +203,12 @@ class Table(unittest.TestCase):
         mean, half = table.interval([1.0, 2.0, 3.0])
         self.assertEqual(mean, 2)
         self.assertAlmostEqual(half, 4.30 / math.sqrt(3))
+
+    def test_the_table_goes_where_the_page_has_a_place_for_it(self):
+        page = (SOURCE / "docs" / "transfer.md").read_text()
+        filled = table.placed(page, "told")
+        self.assertEqual(table.placed(filled, "told"), filled)
+        self.assertIn(f"{table.MARKS[0]}\ntold\n{table.MARKS[1]}", filled)
 
     def test_intervals_that_lie_apart_have_a_verdict_either_way(self):
         self.assertEqual(table.verdict("f1", (0.9, 0.01), (0.8, 0.01)), "better")
