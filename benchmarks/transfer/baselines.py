@@ -1,7 +1,8 @@
 """The patterns that people draw instead: edges of Voronoi cells, and random walks that branch.
 
 Both get what a sample of ours has: the same surface, lamp and marks, as much area
-of lines, the same widths, and the looks that the renderer gave the cracks of that very sample (lines.appearance).
+of lines, the same widths, and the looks that the renderer gave the cracks of that very sample
+(lines.appearance).
 Only where the lines run differs.
 
     python3 baselines.py sets arms
