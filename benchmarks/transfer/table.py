@@ -50,9 +50,11 @@ def by_arm(results):
 def cell(measure, mean, half):
     if math.isnan(mean):
         return "–"
-    if measure == "false_on_clean":
-        return f"{100 * mean:.2f} ± {100 * half:.2f}"
-    return f"{mean:.3f} ± {half:.3f}" if measure != "width_error" else f"{mean:.2f} ± {half:.2f}"
+    percent, digits = measure == "false_on_clean", 3
+    if percent or measure == "width_error":
+        digits = 2
+    numbers = [mean] if math.isnan(half) else [mean, half]  # a single seed has no interval
+    return " ± ".join(f"{(100 if percent else 1) * x:.{digits}f}" for x in numbers)
 
 
 def verdict(measure, ours, other):
