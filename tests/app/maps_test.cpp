@@ -137,9 +137,46 @@ TEST_F(MapFiles, ThatCannotBeAreRefusedInOneLine) {
   expect_error({"crack", "shape:plate?n=4", "--maps", "/proc/maps"}, 1, "cannot write maps");
 }
 
-TEST_F(MapFiles, OfAMeshWithoutUvsAreRefusedBeforeItCracks) {
-  std::ofstream(file("flat.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  const CommandResult result = run({"crack", "flat.obj", "--maps", "m"});
+TEST_F(MapFiles, GiveAMeshWithoutUvsSomeAndLeaveItsCracksAlone) {
+  ASSERT_EQ(run({"crack", "shape:sphere?n=16", "-o", "ball.stl", "--max-cracks", "0", "--preset",
+                 "glaze", "--quiet"})
+                .code,
+            0);
+  const std::vector<std::string> cracked{"crack", "ball.stl",       "--preset", "mud",
+                                         "--set", "mesh.edge=keep", "--lines"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), cracked.begin(), cracked.end());
+    return run(more);
+  };
+  ASSERT_EQ(with({"plain.json", "-o", "plain.glb"}).code, 0);
+  const CommandResult result = with(
+      {"mapped.json", "-o", "mapped.glb", "--maps", "m", "--map-size", "256", "--map", "mask"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.err.find("has no UVs (maps): others were made for it, in "), std::string::npos)
+      << result.err;
+  EXPECT_EQ(result.err.find("overlap"), std::string::npos) << result.err;
+  const nlohmann::json glb = json_of(read_text(file("mapped.glb")));
+  EXPECT_TRUE(glb["meshes"][0]["primitives"][0]["attributes"].contains("TEXCOORD_0"));
+  const auto lines = [&](const char* name) {
+    return nlohmann::json::parse(read_text(file(name)))["points"];
+  };
+  EXPECT_EQ(lines("plain.json"), lines("mapped.json"));
+  EXPECT_TRUE(std::filesystem::exists(file("m") / "mask.png"));
+  const CommandResult alone = with({"alone.json", "--maps", "n", "--map-size", "16"});
+  EXPECT_NE(alone.err.find("-o writes the mesh with them"), std::string::npos) << alone.err;
+}
+
+// What is kept as it was gets no UVs.
+TEST_F(MapFiles, OfASceneWithoutUvsAreRefusedBeforeItCracks) {
+  std::ofstream(file("flat.gltf"))
+      << R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+             "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+             "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                            "min": [0, 0, 0], "max": [1, 1, 0]}],
+             "bufferViews": [{"buffer": 0, "byteLength": 36}],
+             "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)"
+      << "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}";
+  const CommandResult result = run({"crack", "flat.gltf", "--maps", "m"});
   EXPECT_EQ(result.code, 1);
   EXPECT_NE(result.err.find("no UVs"), std::string::npos) << result.err;
   EXPECT_FALSE(std::filesystem::exists(file("m")));

@@ -21,8 +21,8 @@ struct CrackedSurface {
   SurfaceMesh surface;  ///< what mesh() was cut out of: the simulation's mesh, or the asset
   /// Per face of `surface`, where in the input it lies; empty where it was remeshed.
   SurfaceOrigin surface_origin;
-  std::unique_ptr<const Simulation> simulation;  ///< stopped: its cut mesh, its stress, its times
-  std::unique_ptr<const CrackedAsset> asset;     ///< null: mesh() is the simulation's
+  std::shared_ptr<const Simulation> simulation;  ///< stopped: its cut mesh, its stress, its times
+  std::shared_ptr<const CrackedAsset> asset;     ///< null: mesh() is the simulation's
   CrackNetwork network;                          ///< the cracks of mesh()
   Components fragments;                          ///< the parts of mesh()
 

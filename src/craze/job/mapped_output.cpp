@@ -1,7 +1,5 @@
 #include "craze/job/mapped_output.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
@@ -12,13 +10,12 @@
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/gltf/scene/scene_pictures.h"
 #include "craze/io/source_scene.h"
+#include "craze/job/made_uvs.h"
 #include "craze/maps.h"
-#include "craze/mesh/atlas/uv_atlas.h"
 #include "craze/products/maps/bake_surface.h"
 #include "craze/products/maps/corner_frames.h"
 #include "craze/products/maps/map_surface.h"
 #include "craze/products/maps/uv_layout.h"
-#include "craze/products/uv_islands.h"
 #include "craze/write_mesh.h"
 
 namespace craze {
@@ -78,11 +75,6 @@ bool has_pictures(const SourceScene* scene) {
   return false;
 }
 
-std::int32_t count_islands(const SurfaceMesh& surface) {
-  const std::vector<std::int32_t> islands = uv_islands(surface);
-  return islands.empty() ? 0 : 1 + *std::max_element(islands.begin(), islands.end());
-}
-
 /// By glTF a primitive without normals is flat. Section 3.7.2.1.
 std::vector<Vec3> flat_normals(const SurfaceMesh& surface) {
   std::vector<Vec3> normals;
@@ -109,9 +101,7 @@ SurfaceMesh surface_to_map(const Result& result, const SourceScene* scene, const
     reason = "has UVs that overlap";
   }
   if (!reason) return surface;
-  surface.corner_uvs = uv_atlas(surface, {}, context);
-  warn(fmt::format("the mesh {} (maps): others were made for it, in {} islands", reason,
-                   count_islands(surface)));
+  warn(make_uvs(surface, reason, context));
   return surface;
 }
 

@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "craze/engine.h"
+#include "craze/engine/cracked_surface.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/load_surface.h"
 #include "craze/job/load_textures.h"
+#include "craze/job/made_uvs.h"
 #include "craze/job/mapped_output.h"
 #include "craze/job/material_looks.h"
 #include "craze/job/outputs.h"
@@ -79,12 +81,13 @@ RunResult run(const RunRequest& request, const Context& context) {
   check_request(request);
   Stopwatch total, phase;
   Loaded loaded = load(request, context);
-  if (!request.maps.folder.empty()) check_uvs(*loaded.input.surface);
-  if (request.as_maps) check_mappable(*loaded.input.surface, loaded.beside.source.scene.get());
+  const bool maps = !request.maps.folder.empty();
+  if (maps || request.as_maps) {
+    check_mappable(*loaded.input.surface, loaded.beside.source.scene.get());
+  }
   const double load_time = phase.lap();
 
-  const Result result =
-      crack(std::move(loaded.input), request.recipe, {request.max_cracks}, context);
+  Result result = crack(std::move(loaded.input), request.recipe, {request.max_cracks}, context);
   const bool stopped = result.report().stop_reason == to_string(StopReason::cancelled);
   Report report = result.report();
   report.time.load += load_time;
@@ -92,6 +95,12 @@ RunResult run(const RunRequest& request, const Context& context) {
   phase.lap();
 
   const Context writing = for_writing(context, report, stopped);
+  if (maps && result.state().surface.corner_uvs.empty()) {
+    std::string told;
+    result = with_made_uvs(result, told, writing);
+    report.warnings.push_back(told +
+                              (request.output.empty() ? "; -o writes the mesh with them" : ""));
+  }
   writing.report({"write"});
   const auto statistics = write_outputs(request, result, loaded.beside, report, writing);
   writing.check();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "craze/mesh/uv_islands.h"
+
 namespace craze {
 
 namespace {
@@ -72,9 +74,12 @@ class CornerSources {
     const std::int32_t found = home_.empty() ? -1 : home_[cut_.from(h)];
     return found >= 0 ? found : cut_.source_face(TriangleMesh::face_of(h));
   }
-  TrianglePoint point(std::int32_t h) const {
-    return locate_in_triangle(surface_, triangle(h), cut_.position(cut_.from(h)));
+  TrianglePoint point(std::int32_t h) const { return point_in(triangle(h), h); }
+  /// The point of a triangle of `surface` that is nearest to the corner.
+  TrianglePoint point_in(std::int32_t f, std::int32_t h) const {
+    return locate_in_triangle(surface_, f, cut_.position(cut_.from(h)));
   }
+  bool any_has_slid() const { return !home_.empty(); }
 
  private:
   std::int32_t nearest_face(const std::vector<std::vector<std::int32_t>>& around,
@@ -101,13 +106,20 @@ class CornerSources {
   std::vector<std::int32_t> home_;  // #V of the cut mesh; empty: none has slid
 };
 
-std::vector<Vec2> transfer_uvs(const SurfaceMesh& surface, const CornerSources& sources,
-                               std::int32_t corners) {
-  std::vector<Vec2> uvs(corners);
-  for (std::int32_t k = 0; k < corners; ++k) {
-    const std::size_t first = 3 * static_cast<std::size_t>(sources.triangle(k));
-    uvs[k] =
-        interpolate(sources.point(k), [&](int c) -> Vec2 { return surface.corner_uvs[first + c]; });
+/// Each face stays in the island of its source: where a vertex has slid across a seam that was not
+/// one when the surface was cut, its corners are left on the borders of their islands.
+std::vector<Vec2> transfer_uvs(const SurfaceMesh& surface, const TriangleMesh& cut,
+                               const CornerSources& sources) {
+  std::vector<std::int32_t> islands;
+  if (sources.any_has_slid()) islands = uv_islands(surface);
+  std::vector<Vec2> uvs(3 * static_cast<std::size_t>(cut.face_count()));
+  for (std::int32_t k = 0; k < 3 * cut.face_count(); ++k) {
+    std::int32_t from = sources.triangle(k);
+    const std::int32_t own = cut.source_face(TriangleMesh::face_of(k));
+    if (!islands.empty() && islands[from] != islands[own]) from = own;
+    const std::size_t first = 3 * static_cast<std::size_t>(from);
+    uvs[k] = interpolate(sources.point_in(from, k),
+                         [&](int c) -> Vec2 { return surface.corner_uvs[first + c]; });
   }
   return uvs;
 }
@@ -176,7 +188,7 @@ SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& 
   result.triangles = cut.triangles();
   const CornerSources sources(surface, cut);
   const std::int32_t corners = 3 * cut.face_count();
-  if (!surface.corner_uvs.empty()) result.corner_uvs = transfer_uvs(surface, sources, corners);
+  if (!surface.corner_uvs.empty()) result.corner_uvs = transfer_uvs(surface, cut, sources);
   if (!surface.corner_normals.empty()) {
     result.corner_normals = transfer_normals(surface, sources, corners);
   }

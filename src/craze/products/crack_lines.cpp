@@ -2,7 +2,7 @@
 
 #include "craze/base/progress_meter.h"
 #include "craze/engine/cracked_surface.h"
-#include "craze/products/uv_islands.h"
+#include "craze/mesh/uv_islands.h"
 
 namespace craze {
 

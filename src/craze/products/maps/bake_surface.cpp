@@ -10,7 +10,7 @@
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/sources/curvature.h"
 #include "craze/products/maps/bake_sheet.h"
-#include "craze/products/uv_islands.h"
+#include "craze/mesh/uv_islands.h"
 
 namespace craze {
 

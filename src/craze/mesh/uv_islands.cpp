@@ -1,4 +1,4 @@
-#include "craze/products/uv_islands.h"
+#include "craze/mesh/uv_islands.h"
 
 #include <algorithm>
 #include <cmath>

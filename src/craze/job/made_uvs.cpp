@@ -1,0 +1,28 @@
+#include "craze/job/made_uvs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "craze/engine/cracked_surface.h"
+#include "craze/mesh/atlas/uv_atlas.h"
+#include "craze/mesh/uv_islands.h"
+
+namespace craze {
+
+std::string make_uvs(SurfaceMesh& surface, const std::string& reason, const Context& context) {
+  surface.corner_uvs = uv_atlas(surface, {}, context);
+  const std::vector<std::int32_t> islands = uv_islands(surface);
+  return fmt::format("the mesh {} (maps): others were made for it, in {} islands", reason,
+                     islands.empty() ? 0 : 1 + *std::max_element(islands.begin(), islands.end()));
+}
+
+Result with_made_uvs(const Result& result, std::string& told, const Context& context) {
+  auto state = std::make_shared<CrackedSurface>(result.state());
+  told = make_uvs(state->surface, "has no UVs", context);
+  return {std::move(state), result.report()};
+}
+
+}  // namespace craze
