@@ -2,15 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "craze/engine/cracked_surface.h"
+#include "craze/error.h"
 #include "craze/mesh/transfer_attributes.h"
 #include "craze/products/opening/bend_refinement.h"
 #include "craze/products/opening/curl.h"
 #include "craze/products/opening/opened_attributes.h"
 #include "craze/products/opening/turned_normals.h"
+#include "craze/products/solids/inner_directions.h"
+#include "craze/products/solids/solids.h"
 
 namespace craze {
 
@@ -30,6 +34,18 @@ std::vector<Vec3> as_vectors(const Attribute& attribute) {
     vectors.emplace_back(x[0], x[1], x[2]);
   }
   return vectors;
+}
+
+/// #V of the mesh that was cut, or of what that was refined to: as the uncut surface has them, so
+/// that each of its triangles has a flat inner side however it was cut.
+std::vector<Vec3> outwards(const CrackedSurface& state, const TriangleMesh* refined) {
+  SurfaceMesh uncut;
+  uncut.positions = state.surface.positions;
+  uncut.triangles = state.surface.triangles;
+  uncut.vertex_attributes = {as_attribute(inner_directions(uncut.positions, uncut.triangles))};
+  SurfaceMesh cut = state.with_attributes(uncut);
+  if (refined) cut = transfer_attributes(cut, *refined);
+  return as_vectors(cut.vertex_attributes.front());
 }
 
 OpenedMesh unopened(const SurfaceMesh& cut) {
@@ -71,9 +87,13 @@ const TriangleMesh& OpenedSurface::base(const Result& result) const {
 
 OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes times,
                              const PostParameters& post, const Context& context) {
+  if (!(std::isfinite(post.thickness) && post.thickness >= 0)) {
+    throw Error(ErrorKind::request, "cannot open the cracks", "thickness",
+                "must be finite and not negative");
+  }
   OpenedSurface surface;
   surface.times = std::move(times);
-  if (post.gap == 0 && post.wall == 0) {
+  if (post.gap == 0 && post.wall == 0 && post.thickness == 0) {
     surface.opened = unopened(cut);
     surface.mesh = std::move(cut);
     return surface;
@@ -95,9 +115,16 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   }
   OpeningOptions options;
   options.gap = post.gap;
-  options.wall = post.wall;
+  options.wall = post.thickness > 0 ? 0 : post.wall;
   options.curl = post.curl;
   surface.opened = open_cracks(mesh, displacement, options, context);
+  surface.warnings = opening_warnings(surface.opened, mesh);
+  if (post.thickness > 0) {
+    const std::vector<std::string> warnings =
+        make_solid(mesh, crack_sites(mesh), outwards(state, surface.refined.get()),
+                   {post.thickness, post.core}, surface.opened, context);
+    surface.warnings.insert(surface.warnings.end(), warnings.begin(), warnings.end());
+  }
   context.check();
   context.report({"open", 1});
   surface.shut = post.gap == 0;
@@ -106,7 +133,6 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
     cut.corner_normals = turned_normals(cut, surface.opened.mesh.positions);
   }
   surface.mesh = opened_attributes(cut, mesh, surface.opened);
-  surface.warnings = opening_warnings(surface.opened, mesh);
   return surface;
 }
 
