@@ -115,7 +115,7 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   }
   OpeningOptions options;
   options.gap = post.gap;
-  options.wall = post.thickness > 0 ? 0 : post.wall;
+  if (post.thickness == 0) options.wall = post.wall;
   options.curl = post.curl;
   surface.opened = open_cracks(mesh, displacement, options, context);
   surface.warnings = opening_warnings(surface.opened, mesh);
