@@ -20,10 +20,10 @@ class ClosestPoint {
   /// Which faces may answer.
   struct Filter {
     Vec3 normal = Vec3::Zero();  ///< only faces that do not look away from it; zero: any
-    double least = 0;            ///< cosine with it of a unit `normal` that a face must have
     std::int32_t label = -1;     ///< only faces of this label; −1: any
     std::int32_t hint = -1;      ///< a face that is likely near: makes the search shorter
     double enough = 0;           ///< any face within this distance will do
+    double least = 0;            ///< cosine with a unit `normal` that a face must have
   };
 
   /// labels: #F or empty. Keeps references: positions and triangles must outlive this.
