@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "craze/error.h"
@@ -104,7 +105,7 @@ TEST(Solids, OfACubeHaveItsEdgesInside) {
   const Result result = test::cracked_shape("cube", "mud", 0.3);
   const SurfaceMesh cube = cut_mesh(result, {});
   const double side = std::cbrt(test::volume_of(cube));
-  const double d = 0.1 * side;
+  const double d = 0.05 * side;  // less than the first row of triangles is wide
   const Opening opening(result, solid(d), {});
   const double shell = side * side * side - std::pow(side - 2 * d, 3);
   EXPECT_NEAR(total_volume(fragments(opening.mesh())), shell, 0.01 * shell);
@@ -235,10 +236,14 @@ TEST(Solids, KeepWhatTheOuterSurfaceHas) {
   for (std::size_t f = cut.triangles.size(); f < mesh.triangles.size(); ++f) {
     EXPECT_EQ(mesh.material_names[mesh.face_materials[f]], "crack_wall");
     const Triangle& t = mesh.triangles[f];
+    const auto top = static_cast<std::int32_t>(cut.positions.size());
+    if (*std::min_element(t.begin(), t.end()) >= top)
+      continue;  // an inner surface, which is smooth
     const Vec3 n = (mesh.positions[t[1]] - mesh.positions[t[0]])
                        .cross(mesh.positions[t[2]] - mesh.positions[t[0]]);
-    for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
-      EXPECT_GE(mesh.corner_normals[c].dot(n), -1e-12);
+    for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
+      EXPECT_GE(mesh.corner_normals[c].dot(n), 0.999 * n.norm());
+    }
   }
 }
 
