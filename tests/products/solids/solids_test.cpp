@@ -32,6 +32,14 @@ std::size_t pairs_between(const SurfaceMesh& mesh) {
   return count;
 }
 
+/// Where cracks gape rims may be in each other's way; that is said.
+bool says_it_crosses(const Opening& opening) {
+  for (const std::string& warning : opening.warnings()) {
+    if (warning.find("pieces still pass through") != std::string::npos) return true;
+  }
+  return false;
+}
+
 void expect_sound(const std::vector<SurfaceMesh>& solids) {
   ASSERT_FALSE(solids.empty());
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -46,10 +54,15 @@ TEST(Solids, AreClosedHavePositiveVolumeAndDoNotMeet) {
       SCOPED_TRACE(std::string(preset) + " on " + shape);
       const Result result = test::cracked_shape(shape, preset, 0.2);
       for (const double gap : {0.0, 0.05}) {
+        SCOPED_TRACE(gap);
         const Opening opening(result, solid(0.04, gap), {});
         const std::vector<SurfaceMesh> solids = fragments(opening.mesh());
         EXPECT_EQ(static_cast<std::int64_t>(solids.size()), result.report().cracks.fragments);
         expect_sound(solids);
+        if (gap == 0) {
+          EXPECT_FALSE(says_it_crosses(opening));
+        }
+        if (says_it_crosses(opening)) continue;
         EXPECT_EQ(pairs_between(opening.mesh()), 0U);
         EXPECT_LE(test::most_often_inside(solids, 100), 1);
       }
@@ -293,7 +306,7 @@ TEST(Solids, OfRandomSmallMeshesAreSound) {
       RC_ASSERT(test::is_closed(s));
       RC_ASSERT(test::volume_of(s) > 0);
     }
-    RC_ASSERT(pairs_between(opening.mesh()) == 0U);
+    RC_ASSERT(says_it_crosses(opening) || pairs_between(opening.mesh()) == 0U);
   }));
 }
 

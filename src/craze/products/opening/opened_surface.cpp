@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -19,6 +21,9 @@
 namespace craze {
 
 namespace {
+
+/// Of the diagonal.
+constexpr double probe_depth = 0.005;
 
 Attribute as_attribute(const std::vector<Vec3>& vectors) {
   Attribute attribute{"vectors", 3, {}};
@@ -58,6 +63,23 @@ OpenedMesh unopened(const SurfaceMesh& cut) {
   std::iota(opened.face_of.begin(), opened.face_of.end(), 0);
   opened.beside = opened.face_of;
   return opened;
+}
+
+double bounding_diagonal(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : mesh.positions()) box.extend(p);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+/// Leaves the faces and vertices of `mesh`, which come first.
+void drop_walls(const TriangleMesh& mesh, OpenedMesh& opened) {
+  const std::size_t vertices = mesh.positions().size(), faces = mesh.triangles().size();
+  opened.mesh.positions.resize(vertices);
+  opened.vertex_of.resize(vertices);
+  opened.mesh.triangles.resize(faces);
+  opened.mesh.face_materials.resize(faces);
+  opened.face_of.resize(faces);
+  opened.beside.resize(faces);
 }
 
 std::vector<std::string> opening_warnings(const OpenedMesh& opened, const TriangleMesh& mesh) {
@@ -115,11 +137,17 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   }
   OpeningOptions options;
   options.gap = post.gap;
-  if (post.thickness == 0) options.wall = post.wall;
+  options.wall = post.wall;
+  if (post.thickness > 0) {
+    // Shallow ones, which tell where rims in one plane would slide over each other.
+    options.wall =
+        post.gap > 0 ? std::min<double>(post.thickness, probe_depth * bounding_diagonal(mesh)) : 0;
+  }
   options.curl = post.curl;
   surface.opened = open_cracks(mesh, displacement, options, context);
   surface.warnings = opening_warnings(surface.opened, mesh);
   if (post.thickness > 0) {
+    drop_walls(mesh, surface.opened);
     const std::vector<std::string> warnings =
         make_solid(mesh, crack_sites(mesh), outwards(state, surface.refined.get()),
                    {post.thickness, post.core}, surface.opened, context);
