@@ -10,7 +10,7 @@
 #include "craze/io/gltf/growth_clip.h"
 #include "craze/io/gltf/scene/resurfaced_scene.h"
 #include "craze/io/gltf/scene/scene_writer.h"
-#include "craze/io/gltf/solid_node.h"
+#include "craze/io/gltf/solids/solid_node.h"
 #include "craze/io/polygons/float_grid.h"
 #include "craze/io/polygons/polygon_soup.h"
 #include "craze/mesh/mesh_parts.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "craze/io/gltf/scene/scene_solid.h"
-#include "craze/io/gltf/solid_node.h"
+#include "craze/io/gltf/solids/scene_solid.h"
+#include "craze/io/gltf/solids/solid_node.h"
 #include "craze/io/polygons/float_grid.h"
 
 namespace craze {

@@ -1,10 +1,10 @@
-#include "craze/io/gltf/scene/scene_solid.h"
+#include "craze/io/gltf/solids/scene_solid.h"
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "craze/io/gltf/solid_node.h"
+#include "craze/io/gltf/solids/solid_node.h"
 
 namespace craze {
 

@@ -1,4 +1,4 @@
-#include "craze/io/gltf/solid_node.h"
+#include "craze/io/gltf/solids/solid_node.h"
 
 namespace craze {
 
