@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "callback_context.h"
+#include "craze/mesh/convex_hull.h"
+#include "craze/mesh/mass_properties.h"
 #include "craze/mesh/mesh_parts.h"
 #include "craze/output/write_surface.h"
 #include "craze/products.h"
@@ -382,5 +384,31 @@ craze_status craze_mesh_fragments(const craze_mesh* mesh, craze_mesh** pieces, i
     std::vector<std::unique_ptr<craze_mesh>> made;
     for (SurfaceMesh& piece : found) made.push_back(std::make_unique<craze_mesh>(std::move(piece)));
     for (std::size_t i = 0; i < made.size(); ++i) pieces[i] = made[i].release();
+  });
+}
+
+craze_status craze_mesh_mass(const craze_mesh* mesh, double* volume, double* centre,
+                             double* inertia, craze_error* error) {
+  return guard(error, [&] {
+    require(mesh, "mesh");
+    require(volume, "volume");
+    const MassProperties mass = mass_properties(mesh->mesh->positions, mesh->mesh->triangles);
+    *volume = mass.volume;
+    for (int i = 0; i < 3; ++i) {
+      if (centre) centre[i] = mass.centre[i];
+      for (int j = 0; inertia && j < 3; ++j) inertia[3 * i + j] = mass.inertia(i, j);
+    }
+  });
+}
+
+craze_mesh* craze_mesh_convex_hull(const craze_mesh* mesh, craze_error* error) {
+  return guarded(error, [&] {
+    require(mesh, "mesh");
+    ConvexHull hull = convex_hull(mesh->mesh->positions);
+    SurfaceMesh made;
+    made.positions = std::move(hull.positions);
+    made.triangles = std::move(hull.triangles);
+    made.metres_per_unit = mesh->mesh->metres_per_unit;
+    return new craze_mesh(std::move(made));
   });
 }

@@ -83,6 +83,13 @@ LineSet line_set(const double* points, int64_t p, const int32_t* edges, int64_t 
   return lines;
 }
 
+craze_opening* new_opening(const craze_job* job, const PostParameters& post) {
+  const Result& result = result_of(job);
+  const CallbackContext context(*job);
+  return new craze_opening{
+      job->cracked_source, std::make_shared<const Opening>(result, post, context.get()), {}};
+}
+
 craze_mesh* new_mesh(const craze_opening& shown) {
   std::shared_ptr<const SurfaceMesh> mesh(shown.opening, &shown.opening->mesh());
   auto handle = std::make_unique<craze_mesh>(std::move(mesh));
@@ -170,14 +177,24 @@ char* craze_statistics(const double* points, int64_t p, const int32_t* edges, in
 craze_opening* craze_job_open(const craze_job* job, double gap, double wall, double curl,
                               craze_error* error) {
   return guarded(error, [&] {
-    const Result& result = result_of(job);
     PostParameters post;
     post.gap = gap;
     post.wall = wall;
     post.curl = curl;
-    const CallbackContext context(*job);
-    return new craze_opening{
-        job->cracked_source, std::make_shared<const Opening>(result, post, context.get()), {}};
+    return new_opening(job, post);
+  });
+}
+
+craze_opening* craze_job_open_solid(const craze_job* job, double gap, double curl, double thickness,
+                                    int32_t core, craze_error* error) {
+  return guarded(error, [&] {
+    if (!(thickness > 0)) wrong_argument("wrong thickness", "thickness", "must be more than 0");
+    PostParameters post;
+    post.gap = gap;
+    post.curl = curl;
+    post.thickness = thickness;
+    post.core = core != 0;
+    return new_opening(job, post);
   });
 }
 

@@ -52,7 +52,7 @@ def replace_mesh(thing: Any, made: Made) -> None:
     """Gives an object a cracked mesh; one that it had before is removed."""
     old = thing.data if is_cracked(thing) else None
     if old is not None:
-        _keep_materials(old, made.mesh)
+        keep_materials(old, made.mesh)
     thing.data = made.mesh
     if old is not None and old.users == 0:
         bpy.data.meshes.remove(old)
@@ -62,7 +62,7 @@ def replace_mesh(thing: Any, made: Made) -> None:
         thing.craze.recipe = json.dumps(made.report["recipe"])
 
 
-def _keep_materials(old: Any, new: Any) -> None:
+def keep_materials(old: Any, new: Any) -> None:
     """Slots have what the user has given them since, baked cracks for one; walls have their own."""
     walls = new.materials.find(mesh_out.WALL)
     end = len(new.materials) if walls < 0 else walls

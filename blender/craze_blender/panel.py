@@ -131,6 +131,7 @@ class CRAZE_PT_result(_Panel, bpy.types.Panel):
         column.operator("craze.bake", icon="TEXTURE")
         column = layout.column(align=True)
         column.prop(panel, "thickness")
+        column.prop(panel, "core")
         column.operator("craze.pieces", icon="MOD_SOLIDIFY")
         column = layout.column(align=True)
         column.prop(panel, "frames")

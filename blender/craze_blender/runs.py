@@ -39,13 +39,14 @@ class Order:
 @dataclass
 class Made:
     """A cracked mesh. `report` is {} where nothing was cracked anew; `grown` (t, n, 3) where it was
-    asked for."""
+    asked for; `solids` (k, 4) of fragments that are closed: volume, and centre of mass."""
 
     mesh: Any
     run: str
     report: dict[str, Any]
     warnings: list[str]
     grown: np.ndarray | None = None
+    solids: np.ndarray | None = None
 
 
 def crack(engine: Engine, order: Order, name: str) -> Steps:
@@ -69,7 +70,8 @@ def crack(engine: Engine, order: Order, name: str) -> Steps:
 
 
 def open_again(engine: Engine, order: Order, name: str, post: dict[str, float]) -> Steps:
-    """Made of a run with its cracks open otherwise; cracked anew where the engine has lost it."""
+    """Made of a run with its cracks open otherwise, or of solids where `post` has a thickness;
+    cracked anew where the engine has lost it."""
     reply = yield from _of_run(engine, order, "open", post=post)
     return (yield from _build(order, name, (yield from _groups(order)), reply))
 
@@ -113,12 +115,12 @@ def _groups(order: Order) -> Steps:
 
 def _build(order: Order, name: str, read: list[np.ndarray], reply: dict[str, Any]) -> Steps:
     arrays = yield from last(arrays_in(reply))
-    grown = arrays.pop("grown", None)
+    grown, solids = arrays.pop("grown", None), arrays.pop("solids", None)
     warnings = list(reply["warnings"])
     mesh, lost = yield from last(mesh_out.build(order.mesh, read, order.groups, name, arrays))
     if lost:
         warnings.append("not carried over: " + ", ".join(lost))
-    return Made(mesh, order.run, reply.get("report", {}), warnings, grown)
+    return Made(mesh, order.run, reply.get("report", {}), warnings, grown, solids)
 
 
 def _named_by(

@@ -137,6 +137,10 @@ class CrazeSettings(bpy.types.PropertyGroup):
         min=0.0,
         default=0.02,
     )
+    core: bpy.props.BoolProperty(
+        name="Core",
+        description="What is left inside a closed surface is one more piece, which stays",
+    )
     frames: bpy.props.IntProperty(
         name="Frames", description="How long the growth takes", min=2, default=100
     )

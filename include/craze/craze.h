@@ -169,6 +169,14 @@ CRAZE_API int64_t craze_mesh_fragment_count(const craze_mesh* mesh, craze_error*
 CRAZE_API craze_status craze_mesh_fragments(const craze_mesh* mesh, craze_mesh** pieces,
                                             int64_t count, craze_error* error);
 
+/* Of a closed mesh, density 1: its volume, and where they are not NULL its centre of mass (3) and
+ * its inertia tensor about that (9, row by row). */
+CRAZE_API craze_status craze_mesh_mass(const craze_mesh* mesh, double* volume, double* centre,
+                                       double* inertia, craze_error* error);
+/* The convex hull of its vertices, of at most 64 of them: a collider. It has no faces where all lie
+ * in a plane. Free with craze_mesh_free. */
+CRAZE_API craze_mesh* craze_mesh_convex_hull(const craze_mesh* mesh, craze_error* error);
+
 /* ---- A run ------------------------------------------------------------------------------- */
 
 CRAZE_API craze_job* craze_job_new(void);
@@ -254,6 +262,11 @@ CRAZE_API char* craze_statistics(const double* points, int64_t p, const int32_t*
  * edges lifted by `curl`. Nothing is cracked again. */
 CRAZE_API craze_opening* craze_job_open(const craze_job* job, double gap, double wall, double curl,
                                         craze_error* error);
+/* The same with each fragment a closed solid, `thickness` (length, more than 0) deep, instead of
+ * walls: the parts of craze_mesh_fragments(). core not 0: what is left inside a closed surface is
+ * one more. */
+CRAZE_API craze_opening* craze_job_open_solid(const craze_job* job, double gap, double curl,
+                                              double thickness, int32_t core, craze_error* error);
 CRAZE_API void craze_opening_free(craze_opening* opening);
 /* The opened mesh. Free with craze_mesh_free. */
 CRAZE_API craze_mesh* craze_opening_mesh(const craze_opening* opening, craze_error* error);

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "craze/collider.h"
 #include "craze/parameters.h"
 #include "craze/up_axis.h"
 
@@ -46,6 +47,9 @@ struct PostParameters {
   Length gap_width = 0;  ///< mean opening, instead of gap; a run turns it into that
   Length wall = 0;       ///< depth of the side walls
   double curl = 0;       ///< lift at a crack, as a share of the displacement there
+  Length thickness = 0;  ///< each fragment is a closed solid; instead of wall
+  bool core = false;     ///< what is left inside a closed surface is a solid as well
+  Collider collider = Collider::extras;  ///< of solids
   ShutCracks lines = ShutCracks::automatic;
 };
 

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "craze/collider.h"
 #include "craze/context.h"
 #include "craze/material_look.h"
 #include "craze/surface_mesh.h"
@@ -24,6 +26,9 @@ struct SurfaceOrigin;   // surface_origin.h
 struct MeshFileOptions {
   /// A face attribute, one object NAME_VALUE per value: OBJ, GLB and USDA; empty: one object.
   std::string objects = {};
+  /// GLB: each of `objects` is a closed solid: its origin is its centre of mass, its node's extras
+  /// have its mass properties, and its convex hull is given so. None: they are just faces.
+  std::optional<Collider> solids = {};
   /// GLB and USDA; null: nothing moves.
   const MorphAnimation* animation = nullptr;
   /// USDA: how materials look, one per material of the mesh, and of texture files the paths that

@@ -258,6 +258,28 @@ static void maps_are_baked(craze_job* job) {
   EXPECT_ERROR(craze_job_bake(NULL, 32, NULL, 1, 0, 0, e), CRAZE_USAGE);
 }
 
+static void check_solids(const craze_job* job) {
+  double volume = 0, centre[3], inertia[9];
+  craze_mesh *mesh, *hull;
+  craze_opening* opening = craze_job_open_solid(job, 0, 0, 0.01, 1, NULL);
+  EXPECT(opening != NULL);
+  mesh = craze_opening_mesh(opening, NULL);
+  EXPECT(craze_mesh_mass(mesh, &volume, centre, inertia, NULL) == CRAZE_OK);
+  EXPECT(volume > 0 && inertia[0] > 0 && inertia[1] == inertia[3]);
+  EXPECT(craze_mesh_mass(mesh, &volume, NULL, NULL, NULL) == CRAZE_OK);
+  hull = craze_mesh_convex_hull(mesh, NULL);
+  EXPECT(hull != NULL);
+  EXPECT_ERROR(craze_mesh_mass(mesh, NULL, NULL, NULL, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_mesh_mass(NULL, &volume, NULL, NULL, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_mesh_convex_hull(NULL, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_open_solid(job, 0, 0, 0, 0, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_open_solid(job, 0, 0, INFINITY, 0, e), CRAZE_REQUEST);
+  EXPECT_ERROR(craze_job_open_solid(NULL, 0, 0, 1, 0, e), CRAZE_USAGE);
+  craze_mesh_free(hull);
+  craze_mesh_free(mesh);
+  craze_opening_free(opening);
+}
+
 static void cracks_open_and_grow(craze_job* job) {
   craze_array vertices;
   double* positions;
@@ -279,6 +301,7 @@ static void cracks_open_and_grow(craze_job* job) {
   EXPECT_ERROR(craze_opening_positions_at(NULL, 0, positions, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_opening_mesh(NULL, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_job_open(job, NAN, 0, 0, e), CRAZE_REQUEST);
+  check_solids(job);
   EXPECT(craze_opening_vertex_count(NULL) == 0);
   EXPECT(craze_opening_warning(opening, 1 << 20) == NULL);
   EXPECT(craze_opening_warning(NULL, 0) == NULL);

@@ -37,6 +37,8 @@ plate='shape:plate?n=24&jitter=0.3'
 "$craze" crack "$plate" -o open.glb --preset mud "${open[@]}" --set post.curl=0.3
 "$craze" crack "$plate" -o growing.glb --preset mud "${open[@]}" --animate --stages 12
 "$craze" crack "$plate" -o pieces.glb --preset mud --fragments
+"$craze" crack "$plate" -o solids.glb --preset mud --set post.thickness=0.05
+"$craze" crack "$plate" -o colliders.glb --preset mud --set post.thickness=0.05 --set post.collider=unreal
 "$craze" crack "$plate" -o growing_pieces.glb --preset mud "${open[@]}" --animate --fragments
 "$craze" crack quilt.obj -o quilt.glb --preset mud --set mesh.edge=0.05 "${open[@]}" --animate
 "$craze" crack shape:sphere -o none.glb --max-cracks 0 "${open[@]}" --animate
@@ -55,6 +57,7 @@ glaze=(truck.glb --preset glaze --set layer.relative_spacing=0.12 --quiet)
 "$craze" crack "${glaze[@]}" "${open[@]}" --animate --stages 6 -o growing.glb
 "$craze" crack "${glaze[@]}" "${open[@]}" --fragments -o pieces.glb
 "$craze" crack "${glaze[@]}" "${open[@]}" --animate --stages 6 --fragments -o growing_pieces.glb
+"$craze" crack "${glaze[@]}" --no-warnings --set post.thickness=2% --set post.collider=godot -o solids.glb
 for kind in shut open growing; do python3 "$here/same_names.py" truck.glb $kind.glb; done
 (cd .. && node validate.mjs --as truck/truck.glb truck/*.glb)
 # On another surface its skin and its morph target are gone.

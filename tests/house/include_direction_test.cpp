@@ -25,14 +25,15 @@ const std::map<std::string, std::set<std::string>> may_use = {
 
 /// The room that each public header, include/craze/NAME.h, is the door of.
 const std::map<std::string, std::string> door_of = {
-    {"context", "base"},        {"error", "base"},        {"grey_image", "base"},
-    {"length", "base"},         {"tensor", "base"},       {"threads", "base"},
-    {"line_set", "mesh"},       {"repair", "mesh"},       {"shapes", "mesh"},
-    {"surface_mesh", "mesh"},   {"up_axis", "mesh"},      {"parameters", "model"},
-    {"presets", "recipe"},      {"recipe", "recipe"},     {"engine", "engine"},
-    {"report", "engine"},       {"products", "products"}, {"maps", "products"},
-    {"surface_origin", "mesh"}, {"material_look", "io"},  {"read_mesh", "io"},
-    {"write_mesh", "io"},       {"craze", "bindings"},    {"opened_piece", "model"},
+    {"context", "base"},       {"error", "base"},          {"grey_image", "base"},
+    {"length", "base"},        {"tensor", "base"},         {"threads", "base"},
+    {"line_set", "mesh"},      {"repair", "mesh"},         {"shapes", "mesh"},
+    {"surface_mesh", "mesh"},  {"up_axis", "mesh"},        {"collider", "mesh"},
+    {"parameters", "model"},   {"presets", "recipe"},      {"recipe", "recipe"},
+    {"engine", "engine"},      {"report", "engine"},       {"products", "products"},
+    {"maps", "products"},      {"surface_origin", "mesh"}, {"material_look", "io"},
+    {"read_mesh", "io"},       {"write_mesh", "io"},       {"craze", "bindings"},
+    {"opened_piece", "model"},
 };
 
 /// "mesh" of "craze/mesh/weld.h" and of "craze/surface_mesh.h"; empty for headers of others.

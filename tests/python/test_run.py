@@ -131,6 +131,37 @@ class Products(Case):
         self.assert_error("gap", "request", self.result.opened, gap=float("nan"))
         self.assert_error("wrong gap", "usage", self.result.opened, gap="wide")
 
+    def test_solid_fragments_have_the_mass_that_numpy_finds(self):
+        solids = self.result.fragments(thickness=0.1)
+        self.assertEqual(len(solids), len(self.result.fragments()))
+        for solid in solids:
+            corners = solid.vertices[solid.faces]
+            edges = np.concatenate([solid.faces[:, [i, (i + 1) % 3]] for i in range(3)])
+            self.assertEqual({tuple(e) for e in edges}, {tuple(e[::-1]) for e in edges})
+            self.assertEqual(len({tuple(e) for e in edges}), len(edges))
+            # Points of a rule that is exact for squares: corners and middle of tetrahedra.
+            w = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
+            middle = corners.sum(axis=1) / 4
+            centre = (w[:, None] * middle).sum(axis=0) / w.sum()
+            moments = np.zeros((3, 3))
+            for points, share in ((corners, 1 / 20), (middle[:, None], 16 / 20)):
+                away = points - centre
+                moments += share * np.einsum("i,ijk,ijl->kl", w, away, away)
+            moments += w.sum() / 20 * np.outer(centre, centre)  # the corner at the origin
+            found = solid.mass_properties()
+            self.assertGreater(found["volume"], 0)
+            self.assertAlmostEqual(found["volume"], w.sum(), 12)
+            np.testing.assert_allclose(found["centre"], centre, atol=1e-9)
+            inertia = np.trace(moments) * np.eye(3) - moments
+            np.testing.assert_allclose(found["inertia"], inertia, atol=1e-9)
+            hull = solid.convex_hull()
+            self.assertGreaterEqual(hull.mass_properties()["volume"], 0.9 * found["volume"])
+
+    def test_a_thickness_of_nonsense_is_an_error(self):
+        for bad in (-1.0, float("nan"), float("inf")):
+            with self.assertRaises(craze.Error):
+                self.result.opened(thickness=bad)
+
     def test_fragments_are_the_mesh_in_pieces(self):
         pieces = self.result.fragments()
         fragment = self.result.mesh.face_attributes["fragment"]

@@ -189,6 +189,25 @@ class Mesh:
 
         return [Mesh._of(piece) for piece in watched(cut)]
 
+    def mass_properties(self) -> dict[str, Any]:
+        """Of a closed mesh, density 1: `volume`, `centre` of mass (3,) and `inertia` (3, 3) about
+        it. The volume is below 0 where the faces look inwards. Raises Error."""
+        volume, centre, inertia = np.empty(1), np.empty(3), np.empty((3, 3))
+        call(
+            "craze_mesh_mass",
+            self._as_handle().pointer,
+            address(volume),
+            address(centre),
+            address(inertia),
+        )
+        return {"volume": float(volume[0]), "centre": centre, "inertia": inertia}
+
+    def convex_hull(self) -> Mesh:
+        """The convex hull of the vertices, of at most 64 of them: a collider for a physics engine.
+        It has no faces where all lie in a plane. Raises Error."""
+        hull = call("craze_mesh_convex_hull", self._as_handle().pointer)
+        return Mesh._of(Handle(hull, "craze_mesh_free"))
+
 
 def _set_materials(handle: Handle, values: Any, faces: int, names: list[str]) -> None:
     column = _arrays.attribute(values, faces, "attribute material")

@@ -31,7 +31,7 @@ class Result:
         self._lines: Lines | None = None
         self._report: dict[str, Any] | None = None
         self._summary: dict[str, Any] = text_of(call("craze_job_summary", job.pointer))
-        self._opening: tuple[tuple[float, float, float], Handle] | None = None
+        self._opening: tuple[tuple[float, float, float, float, bool], Handle] | None = None
 
     def __repr__(self) -> str:
         cracks = self._summary["cracks"]
@@ -68,21 +68,33 @@ class Result:
         return result
 
     def opened(
-        self, gap: float | None = None, wall: float | None = None, curl: float | None = None
+        self,
+        gap: float | None = None,
+        wall: float | None = None,
+        curl: float | None = None,
+        thickness: float | None = None,
+        core: bool | None = None,
     ) -> Mesh:
         """The mesh with its cracks open; what is not given is the recipe's [post].
 
         gap : times the displacement ([IO06 Eq. 9]); wall : depth of side walls, length; curl :
-        lift of the edges over their displacement. Raises Error.
+        lift of the edges over their displacement; thickness : each fragment is a closed solid so
+        deep, instead of walls; 0: none; core : what is left inside a closed surface is one too.
+        Raises Error.
         """
-        opening = self._open(gap, wall, curl)
+        opening = self._open(gap, wall, curl, thickness, core)
         return Mesh._of(Handle(call("craze_opening_mesh", opening.pointer), "craze_mesh_free"))
 
     def warnings(
-        self, gap: float | None = None, wall: float | None = None, curl: float | None = None
+        self,
+        gap: float | None = None,
+        wall: float | None = None,
+        curl: float | None = None,
+        thickness: float | None = None,
+        core: bool | None = None,
     ) -> list[str]:
         """What could not be done as asked, in the run and in the opening, a sentence each."""
-        opening = self._open(gap, wall, curl)
+        opening = self._open(gap, wall, curl, thickness, core)
         return [*self._summary["warnings"], *listed("craze_opening_warning", opening.pointer)]
 
     def positions_at(
@@ -91,11 +103,13 @@ class Result:
         gap: float | None = None,
         wall: float | None = None,
         curl: float | None = None,
+        thickness: float | None = None,
+        core: bool | None = None,
     ) -> npt.NDArray[np.float64]:
-        """(n, 3): the vertices of opened(gap, wall, curl) at a time of the growth, from 0, no
-        crack, to 1, all of them. Raises Error."""
+        """(n, 3): the vertices of opened(gap, wall, curl, thickness, core) at a time of the growth,
+        from 0, no crack, to 1, all of them. Raises Error."""
         time = real(t, "time")
-        opening = self._open(gap, wall, curl)
+        opening = self._open(gap, wall, curl, thickness, core)
         positions = np.empty((call("craze_opening_vertex_count", opening.pointer), 3))
 
         def move(_: Any) -> None:
@@ -104,9 +118,14 @@ class Result:
         watched(move, lock=opening.lock)
         return positions
 
-    def fragments(self) -> list[Mesh]:
-        """The parts of `mesh`, in the order of its face attribute `fragment`."""
-        return self.mesh.fragments()
+    def fragments(self, thickness: float | None = None, core: bool | None = None) -> list[Mesh]:
+        """The parts of `mesh`, in the order of its face attribute `fragment`. With a thickness,
+        given here or by the recipe, they are closed solids, their cracks as open as the recipe
+        says, and a core is the last of them. Raises Error."""
+        post = self._summary["recipe"]["post"]
+        if real(post["thickness"] if thickness is None else thickness, "thickness") == 0:
+            return self.mesh.fragments()
+        return self.opened(thickness=thickness, core=core).fragments()
 
     def bake(
         self,
@@ -149,18 +168,36 @@ class Result:
         )
         return handle
 
-    def _open(self, gap: float | None, wall: float | None, curl: float | None) -> Handle:
+    def _open(
+        self,
+        gap: float | None,
+        wall: float | None,
+        curl: float | None,
+        thickness: float | None,
+        core: bool | None,
+    ) -> Handle:
         post = self._summary["recipe"]["post"]
         key = (
             real(post["gap"] if gap is None else gap, "gap"),
             real(post["wall"] if wall is None else wall, "wall"),
             real(post["curl"] if curl is None else curl, "curl"),
+            real(post["thickness"] if thickness is None else thickness, "thickness"),
+            bool(post["core"] if core is None else core),
         )
         kept = self._opening
         if kept is None or kept[0] != key:
-            kept = (key, self._product("craze_job_open", "craze_opening_free", *key))
+            kept = (key, self._opening_of(*key))
             self._opening = kept
         return kept[1]
+
+    def _opening_of(
+        self, gap: float, wall: float, curl: float, thickness: float, core: bool
+    ) -> Handle:
+        if thickness == 0:
+            return self._product("craze_job_open", "craze_opening_free", gap, wall, curl)
+        return self._product(
+            "craze_job_open_solid", "craze_opening_free", gap, curl, thickness, int(core)
+        )
 
 
 def _set_texture(job: Handle, name: str, picture: Any) -> None:

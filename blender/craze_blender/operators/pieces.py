@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import bpy
 import numpy as np
 from mathutils import Matrix
 
-from .. import cracked, layers, mesh_out, weights
+from .. import cracked, layers, mesh_out, process, runs, weights
 from ..work import Problem, Steps, last
 from .base import OfCracked
 
+DENSITY = 2000.0  # kg/m³, about that of clay, plaster and glaze; only ratios count for the look
+LEAST_MASS = 0.001  # kg: Blender takes no less
+
 
 class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
-    """Splits the cracked object into its fragments: objects with their own origins, made solid by a
-    Solidify modifier instead of side walls, with rigid bodies"""
+    """Splits the cracked object into its fragments: objects with their own origins, closed solids
+    where there is a thickness, with rigid bodies"""
 
     bl_idname = "craze.pieces"
     bl_label = "Pieces"
@@ -28,92 +32,136 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
         unit="LENGTH",
         options={"SKIP_SAVE"},
     )
+    core: bpy.props.BoolProperty(
+        name="Core",
+        description="What is left inside a closed surface is one more piece, which stays",
+        options={"SKIP_SAVE"},
+    )
     rigid_body: bpy.props.BoolProperty(
         name="Rigid body", description="Pieces fall and hit each other", default=True
     )
 
     def steps(self, context: Any) -> Steps:
         thing = context.active_object
-        mesh = thing.data
-        said = self.properties.is_property_set("thickness")
-        thickness = self.thickness if said else context.scene.craze.thickness
-        if "fragment" not in mesh.attributes:
-            raise Problem("the object has no attribute \"fragment\"")
-        kept = _no_walls(mesh) if thickness > 0 else np.ones(len(mesh.polygons), bool)
-        names = cracked.group_names(thing)
-        groups = yield from last(weights.read_groups(mesh, len(thing.vertex_groups)))
-        fragment = layers.get(mesh.attributes["fragment"].data, "value", np.int32)
-        shape = _Shape(mesh)
-        made: list[Any] = []
-        done = False
-        try:
-            for number in np.unique(fragment):
-                arrays = shape.part(np.flatnonzero((fragment == number) & kept))
-                name = f"{thing.name} fragment {number}"
-                part = yield from last(mesh_out.copy_part(mesh, groups, names, name, arrays))
-                made.append(part)
-                yield
-            done = True
-        finally:
-            if not done:
-                for part in made:
-                    bpy.data.meshes.remove(part)
-        self._link(context, thing, made, thickness)
+        said = self.properties.is_property_set
+        thickness = self.thickness if said("thickness") else context.scene.craze.thickness
+        core = self.core if said("core") else context.scene.craze.core
+        if thickness > 0:
+            solid = yield from _solid(thing, thickness, core)
+            try:
+                made = yield from _parts(thing, solid.mesh)
+                warnings = solid.warnings
+                bodies = [_Body(row[0], row[1:], mesh) for row, mesh in zip(solid.solids, made)]
+            finally:
+                bpy.data.meshes.remove(solid.mesh)
+        else:
+            if "fragment" not in thing.data.attributes:
+                raise Problem("the object has no attribute \"fragment\"")
+            made = yield from _parts(thing, thing.data)
+            warnings = []
+            bodies = [_Body(0.0, _middle(mesh), mesh) for mesh in made]
+        self._link(context, thing, bodies)
+        for warning in warnings:
+            self.report({"WARNING"}, warning)
         return f"{len(made)} pieces"
 
-    def _link(self, context: Any, thing: Any, made: list[Any], thickness: float) -> None:
+    def _link(self, context: Any, thing: Any, bodies: list[_Body]) -> None:
         collection = bpy.data.collections.new(f"{thing.name} pieces")
         context.scene.collection.children.link(collection)
-        objects = []
-        for mesh in made:
-            piece = bpy.data.objects.new(mesh.name, mesh)
+        for body in bodies:
+            piece = bpy.data.objects.new(body.mesh.name, body.mesh)
             for group in thing.vertex_groups:
                 if group.name not in piece.vertex_groups:
                     piece.vertex_groups.new(name=group.name)
-            centre = _to_centre(mesh)
-            piece.matrix_world = thing.matrix_world @ _moved(centre)
+            body.mesh.transform(_moved(-body.centre), shape_keys=True)
+            piece.matrix_world = thing.matrix_world @ _moved(body.centre)
             collection.objects.link(piece)
-            if thickness > 0:
-                solid = piece.modifiers.new("Thickness", "SOLIDIFY")
-                solid.thickness = thickness
-                solid.offset = -1.0
-                # Rims are as side walls are, where there were some.
-                if mesh_out.WALL in mesh.materials:
-                    solid.material_offset_rim = len(mesh.materials) - 1
-            objects.append(piece)
+            body.object = piece
         if self.rigid_body:
-            _make_rigid(context, objects)
+            _make_rigid(context, bodies)
         thing.hide_set(True)
         thing.hide_render = True
 
 
-def _no_walls(mesh: Any) -> np.ndarray:
-    """(p,) bool: what a Solidify modifier is to thicken, which makes walls of its own."""
-    return layers.get(mesh.attributes["source_face"].data, "value", np.int32) >= 0
+@dataclass
+class _Body:
+    """A piece. `volume`: 0 where it is not closed; `centre`: where its origin goes."""
+
+    volume: float
+    centre: np.ndarray
+    mesh: Any
+    object: Any = None
+
+    @property
+    def is_core(self) -> bool:
+        """Whether nothing of it was ever outside."""
+        source = layers.get(self.mesh.attributes["source_face"].data, "value", np.int32)
+        return bool((source < 0).all())
+
+
+def _solid(thing: Any, thickness: float, core: bool) -> Steps:
+    """runs.Made of the object's run, its fragments closed by the engine."""
+    post = {**cracked.post_of(thing), "thickness": thickness, "core": core}
+    order = cracked.order_of(thing)
+    made = yield from runs.open_again(process.engine(), order, thing.data.name, post)
+    cracked.keep_materials(thing.data, made.mesh)
+    return made
+
+
+def _parts(thing: Any, mesh: Any) -> Steps:
+    """A mesh per fragment of a mesh, in their order, with all layers of it."""
+    names = cracked.group_names(thing)
+    groups = yield from last(weights.read_groups(mesh, len(thing.vertex_groups)))
+    fragment = layers.get(mesh.attributes["fragment"].data, "value", np.int32)
+    shape = _Shape(mesh)
+    made: list[Any] = []
+    done = False
+    try:
+        for number in np.unique(fragment):
+            arrays = shape.part(np.flatnonzero(fragment == number))
+            name = f"{thing.name} fragment {number}"
+            part = yield from last(mesh_out.copy_part(mesh, groups, names, name, arrays))
+            made.append(part)
+            yield
+        done = True
+    finally:
+        if not done:
+            for part in made:
+                bpy.data.meshes.remove(part)
+    return made
 
 
 def _moved(by: np.ndarray) -> Any:
     return Matrix.Translation([float(x) for x in by])
 
 
-def _to_centre(mesh: Any) -> np.ndarray:
-    """Moves a mesh so that the middle of its vertices is its origin; gives that middle."""
+def _middle(mesh: Any) -> np.ndarray:
+    """Of the vertices."""
     co = layers.get(mesh.vertices, "co", np.float32, 3)
-    centre = co.mean(axis=0, dtype=np.float64).astype(np.float32)
-    mesh.transform(_moved(-centre), shape_keys=True)
-    return centre
+    return co.mean(axis=0, dtype=np.float64).astype(np.float32)
 
 
-def _make_rigid(context: Any, objects: list[Any]) -> None:
+def _make_rigid(context: Any, bodies: list[_Body]) -> None:
     scene = context.scene
     if scene.rigidbody_world is None:
         bpy.ops.rigidbody.world_add()
-    if scene.rigidbody_world.collection is None:
-        scene.rigidbody_world.collection = bpy.data.collections.new("RigidBodyWorld")
-    for piece in objects:
-        scene.rigidbody_world.collection.objects.link(piece)
-        if piece.rigid_body is not None:
-            piece.rigid_body.collision_shape = "CONVEX_HULL"
+    world = scene.rigidbody_world
+    if world.collection is None:
+        world.collection = bpy.data.collections.new("RigidBodyWorld")
+    # Hulls of neighbours overlap where pieces are hollow: they part without being thrown apart.
+    world.use_split_impulse = True
+    for body in bodies:
+        world.collection.objects.link(body.object)
+        rigid = body.object.rigid_body
+        if rigid is None:
+            continue
+        rigid.collision_shape = "CONVEX_HULL"
+        if body.volume > 0:
+            # Neighbours touch.
+            rigid.use_margin, rigid.collision_margin = True, 0.0
+            rigid.mass = max(DENSITY * body.volume, LEAST_MASS)
+            if body.is_core:
+                rigid.type = "PASSIVE"
 
 
 class _Shape:

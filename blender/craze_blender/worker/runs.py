@@ -77,7 +77,16 @@ class Run:
         arrays["face fragment"] = np.asarray(mesh.face_attributes["fragment"]).astype(np.int32)[
             triangle
         ]
+        if post.get("thickness", 0) > 0:
+            arrays["solids"] = self._solids(mesh)
         return _with_loose(self.source, self.local, arrays)
+
+    def _solids(self, mesh: craze.Mesh) -> np.ndarray:
+        """(k, 4) of each fragment: its volume in the scene's unit, its centre of mass in the
+        object's axes."""
+        mass = [piece.mass_properties() for piece in mesh.fragments()]
+        volume = np.array([[m["volume"]] for m in mass])
+        return np.hstack([volume, self._turned_back(np.array([m["centre"] for m in mass]))])
 
     def positions(self, times: list[float], post: dict[str, float]) -> np.ndarray:
         """(t, n, 3) float32: vertices of opened(post) at times of the growth, 0 … 1."""

@@ -23,6 +23,7 @@ class ClosestPoint {
     std::int32_t label = -1;     ///< only faces of this label; −1: any
     std::int32_t hint = -1;      ///< a face that is likely near: makes the search shorter
     double enough = 0;           ///< any face within this distance will do
+    double least = 0;            ///< cosine with a unit `normal` that a face must have
   };
 
   /// labels: #F or empty. Keeps references: positions and triangles must outlive this.
@@ -36,7 +37,8 @@ class ClosestPoint {
   const Vec3& normal(std::int32_t f) const { return normals_[f]; }
   /// True if the face may answer.
   bool accepts(std::int32_t f, const Filter& filter) const {
-    return (filter.label < 0 || labels_[f] == filter.label) && normals_[f].dot(filter.normal) >= 0;
+    return (filter.label < 0 || labels_[f] == filter.label) &&
+           normals_[f].dot(filter.normal) >= filter.least;
   }
   /// Makes `best`, whose distance is squared, the nearest point of face f if that is nearer.
   void improve(Hit& best, std::int32_t f, const Vec3& point) const;

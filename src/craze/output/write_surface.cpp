@@ -4,6 +4,7 @@
 
 #include "craze/engine/cracked_surface.h"
 #include "craze/io/files/extension.h"
+#include "craze/io/mesh_formats.h"
 #include "craze/output/lost_data.h"
 #include "craze/products/opening/crack_edges.h"
 #include "craze/products/opening/opened_origin.h"
@@ -69,7 +70,16 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Opene
   const SurfaceOrigin origin = opened_origin(result, shown);
   if (!origin.face.empty()) file.origin = &origin;
   file.bent = shown.curled;
-  if (shown.shut && options.objects.empty() && recipe.post.lines != ShutCracks::none) {
+  const MeshFormat* format = find_mesh_format(lower_extension(path));
+  if (shown.opened.solid && find_attribute(mesh.face_attributes, "fragment")) {
+    if (format && format->holds_objects) {
+      file.objects = "fragment";
+      file.solids = recipe.post.collider;
+    } else if (options.warn && lower_extension(path) == ".stl") {
+      options.warn("pieces have no names in .stl: each is a closed shell of one list of triangles");
+    }
+  }
+  if (shown.shut && file.objects.empty() && recipe.post.lines != ShutCracks::none) {
     file.crack_edges = crack_edges(result, shown);
   }
   if (lower_extension(path) != ".glb" || !mesh.corner_normals.empty()) {

@@ -22,7 +22,8 @@ struct SurfaceFileOptions {
 
 /// Writes a surface of a run: `mesh` is that of `shown`, or has its faces and vertices and more
 /// attributes. In GLB shut cracks are lines unless post.lines says no or there are objects, and
-/// there are normals. Throws as write_mesh does.
+/// there are normals. Pieces that are solids are objects of their own in every format that knows
+/// objects. Throws as write_mesh does.
 void write_surface(const std::string& path, const SurfaceMesh& mesh, const OpenedSurface& shown,
                    const Result& result, const SourceFile& source,
                    const SurfaceFileOptions& options, const Context& context);

@@ -293,6 +293,19 @@ std::vector<Parameter> make_table() {
       .add("curl", &PostParameters::curl, any,
            {.help = "lift of the crack edges, as a share of their displacement; below 0: down",
             .source = "[IO06 §5, Fig. 9]"})
+      .add("thickness", &PostParameters::thickness, not_negative,
+           {.help = "each fragment is a closed solid: outer surface, walls all round and an inner "
+                    "surface so far inwards, less where there is no room; 0: none. Walls go all "
+                    "the way, whatever wall is",
+            .unit = "length"})
+      .add("core", &PostParameters::core, any,
+           {.help = "with thickness: what is left inside a closed surface is one more solid, which "
+                    "stays when the pieces fall"})
+      .add("collider", &PostParameters::collider, any,
+           {.help = "with thickness, in GLB: the convex hull of each piece, for physics: "
+                    "\"extras\": numbers in its node's extras; \"unreal\", \"godot\": a node of "
+                    "its own, named as that engine's importer wants it",
+            .choices = {"none", "extras", "unreal", "godot"}})
       .add("lines", &PostParameters::lines, any,
            {.help = "cracks that are shut, gap 0, in GLB: \"auto\": dark lines a hair above the "
                     "surface, so that every viewer shows them; \"none\": the surface alone",

@@ -12,6 +12,7 @@ import bpy
 import meshes
 import numpy as np
 from cracking import Cracking, places
+from mathutils import Vector
 
 from craze_blender import mesh_in, process, table
 from craze_blender.operators import curves
@@ -99,29 +100,93 @@ class Operators(Cracking):
         new = self.crack(thing)
         fragments = {d.value for d in new.data.attributes["fragment"].data}
         area = sum(p.area for p in new.data.polygons)
-        self.assertEqual(bpy.ops.craze.pieces(thickness=0.1), {"FINISHED"})
-        pieces = [o for o in bpy.data.objects if " fragment " in o.name]
+        self.assertEqual(bpy.ops.craze.pieces(thickness=0), {"FINISHED"})
+        pieces = self.pieces()
         self.assertEqual(len(pieces), len(fragments))
         self.assertGreater(len(pieces), 3)
         self.assertAlmostEqual(sum(p.area for o in pieces for p in o.data.polygons), area, 4)
         for piece in pieces:
-            self.assertFalse(piece.data.validate())
-            self.assertEqual({u.name for u in piece.data.uv_layers},
-                             {u.name for u in new.data.uv_layers})  # fmt: skip
-            self.assertEqual([g.name for g in piece.vertex_groups],
-                             [g.name for g in new.vertex_groups])  # fmt: skip
-            self.assertIsNotNone(piece.rigid_body)
-            co = places(piece.data)
-            self.assertTrue((co.min(axis=0) <= 1e-6).all() and (co.max(axis=0) >= -1e-6).all())
-            solid = piece.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh()
-            shape = bmesh.new()
-            shape.from_mesh(solid)
-            self.assertTrue(all(e.is_manifold for e in shape.edges), piece.name)
-            shape.free()
+            self.assert_piece_of(new, piece)
         here = np.concatenate([places(o.data) + np.array(o.matrix_world.translation)
                                for o in pieces])  # fmt: skip
         whole = {tuple(np.round(p, 4)) for p in places(new.data).tolist()}
         self.assertEqual({tuple(np.round(p, 4)) for p in here.tolist()}, whole)
+
+    def test_pieces_with_a_thickness_are_closed_solids_about_their_centres_of_mass(self):
+        thing = meshes.link(meshes.grid(14))
+        meshes.dress(thing, 4)
+        new = self.crack(thing)
+        fragments = {d.value for d in new.data.attributes["fragment"].data}
+        area = sum(p.area for p in new.data.polygons)
+        self.assertEqual(bpy.ops.craze.pieces(thickness=0.1), {"FINISHED"})
+        pieces = self.pieces()
+        self.assertEqual(len(pieces), len(fragments))
+        total = 0.0
+        for piece in pieces:
+            self.assert_piece_of(new, piece)
+            shape = bmesh.new()
+            shape.from_mesh(piece.data)
+            self.assertTrue(all(e.is_manifold for e in shape.edges), piece.name)
+            bmesh.ops.triangulate(shape, faces=shape.faces[:])
+            six = [f.verts[0].co.dot(f.verts[1].co.cross(f.verts[2].co)) for f in shape.faces]
+            total += sum(six) / 6
+            centre = sum((x * (f.verts[0].co + f.verts[1].co + f.verts[2].co) / 4
+                          for x, f in zip(six, shape.faces)), Vector())  # fmt: skip
+            self.assertLess(centre.length / sum(six), 1e-4)
+            shape.free()
+        self.assertAlmostEqual(total, 0.1 * area, 3)
+        self.assertEqual(len([m for m in bpy.data.meshes if m.users == 0]), 0)
+
+    def test_solid_pieces_fall_and_come_to_rest(self):
+        thing = meshes.link(meshes.grid(14))
+        thing.location = (0, 0, 0.5)
+        bpy.context.view_layer.update()
+        self.crack(thing)
+        self.assertEqual(bpy.ops.craze.pieces(thickness=0.1), {"FINISHED"})
+        pieces = self.pieces()
+        bpy.ops.mesh.primitive_cube_add(size=40, location=(0, 0, -20))
+        bpy.ops.rigidbody.object_add(type="PASSIVE")
+        floor = bpy.context.active_object
+        floor.rigid_body.collision_shape = "BOX"
+        scene = bpy.context.scene
+        scene.rigidbody_world.point_cache.frame_end = 150
+        graph = bpy.context.evaluated_depsgraph_get()
+        before = start = None
+        for frame in range(1, 151):
+            scene.frame_set(frame)
+            here = np.array([p.evaluated_get(graph).matrix_world.translation for p in pieces])
+            start = here if start is None else start
+            if before is not None:
+                step = np.linalg.norm(here - before, axis=1).max() * scene.render.fps
+                self.assertLess(step, 6.0, f"frame {frame}")  # m/s; from 0.5 m one falls at 3.1
+            before, moved = here, None if before is None else np.abs(here - before).max()
+        self.assertLess(moved, 1e-3)
+        self.assertTrue((here[:, 2] < start[:, 2] - 0.2).all())
+        self.assertTrue((here[:, 2] > 0).all())
+        # Hulls of hollow pieces overlap at first, by less than a piece, and part.
+        size = max(max(p.dimensions) for p in pieces)
+        self.assertLess(np.abs(here[:, :2] - start[:, :2]).max(), size)
+
+    def test_a_core_stays(self):
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=16)
+        self.crack(bpy.context.active_object)
+        self.assertEqual(bpy.ops.craze.pieces(thickness=0.1, core=True), {"FINISHED"})
+        still = [p for p in self.pieces() if p.rigid_body.type == "PASSIVE"]
+        self.assertEqual(len(still), 1)
+        self.assertAlmostEqual(max(still[0].dimensions) / 2, 0.9, 2)
+
+    def pieces(self):
+        return [o for o in bpy.data.objects if " fragment " in o.name]
+
+    def assert_piece_of(self, new, piece):
+        self.assertFalse(piece.data.validate())
+        self.assertEqual({u.name for u in piece.data.uv_layers},
+                         {u.name for u in new.data.uv_layers})  # fmt: skip
+        self.assertEqual([g.name for g in piece.vertex_groups],
+                         [g.name for g in new.vertex_groups])  # fmt: skip
+        self.assertIsNotNone(piece.rigid_body)
+        co = places(piece.data)
+        self.assertTrue((co.min(axis=0) <= 1e-6).all() and (co.max(axis=0) >= -1e-6).all())
 
     def test_curves_have_the_cracks_length_and_half_their_width(self):
         new = self.crack(meshes.link(meshes.grid(12)))

@@ -10,6 +10,7 @@
 #include "craze/io/gltf/growth_clip.h"
 #include "craze/io/gltf/scene/resurfaced_scene.h"
 #include "craze/io/gltf/scene/scene_writer.h"
+#include "craze/io/gltf/solids/solid_node.h"
 #include "craze/io/polygons/float_grid.h"
 #include "craze/io/polygons/polygon_soup.h"
 #include "craze/mesh/mesh_parts.h"
@@ -23,6 +24,13 @@ using nlohmann::ordered_json;
 ordered_json to_json(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
 }
+
+/// The hull of a solid, and the node that shows the solid.
+struct SolidCollider {
+  std::size_t of;
+  std::string name;
+  SurfaceMesh hull;
+};
 
 class GlbWriter {
  public:
@@ -63,6 +71,7 @@ class GlbWriter {
     } else {
       root["scenes"][0]["nodes"] = std::move(all);
     }
+    add_colliders(root);
     root["meshes"] = meshes_;
     root["materials"] = materials_.json();
     add_pictures(root);
@@ -84,13 +93,36 @@ class GlbWriter {
     const double grid = float_grid(mesh);
     for (const MeshPart& part : mesh_parts(mesh, options_.objects)) {
       ExtractedPart own = extract_part(mesh, part.faces);
-      const Vec3 origin = on_grid(centroid(own.mesh), grid);
+      const Vec3 middle = options_.solids ? solid_mass(own.mesh).centre : centroid(own.mesh);
+      const Vec3 origin = on_grid(middle, grid);
       for (Vec3& p : own.mesh.positions) p = on_grid(p, grid);
       ordered_json node{
           {"name", part.name}, {"mesh", meshes_.size()}, {"translation", to_json(origin)}};
+      if (options_.solids) describe_solid(own.mesh, origin, part.name, node);
       add_node(std::move(node), own.mesh, origin,
                options_.animation ? stages_of(*options_.animation, own.vertices)
                                   : std::vector<MorphStage>{});
+    }
+  }
+
+  void describe_solid(const SurfaceMesh& solid, const Vec3& origin, const std::string& name,
+                      ordered_json& node) {
+    SurfaceMesh placed;
+    placed.triangles = solid.triangles;
+    for (const Vec3& p : solid.positions) placed.positions.push_back(p - origin);
+    node["extras"] = solid_extras(placed, *options_.solids);
+    const std::string collider = collider_name(name, *options_.solids);
+    if (!collider.empty()) colliders_.push_back({nodes_.size(), collider, hull_mesh(placed)});
+  }
+
+  /// Each below the node of its solid.
+  void add_colliders(ordered_json& root) {
+    for (const SolidCollider& collider : colliders_) {
+      if (collider.hull.triangles.empty()) continue;
+      root["nodes"][collider.of]["children"] = ordered_json::array({root["nodes"].size()});
+      root["nodes"].push_back({{"name", collider.name}, {"mesh", meshes_.size()}});
+      meshes_.push_back(glb_mesh(collider.hull, Vec3::Zero(), {}, buffer_, materials_, context_));
+      meshes_.back()["name"] = collider.name;
     }
   }
 
@@ -151,6 +183,7 @@ class GlbWriter {
   MaterialLibrary library_;
   GlbMaterials materials_;
   ordered_json nodes_ = ordered_json::array(), meshes_ = ordered_json::array();
+  std::vector<SolidCollider> colliders_;
 };
 
 }  // namespace

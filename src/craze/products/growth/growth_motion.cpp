@@ -146,6 +146,13 @@ GrowthMotion::GrowthMotion(const TriangleMesh& mesh, const CrackSites& sites,
 
 void GrowthMotion::add_bottoms(const TriangleMesh& mesh, const CrackSites& sites,
                                const OpenedMesh& opened) {
+  if (opened.solid) {
+    for (std::int32_t b = mesh.vertex_count(); b < opened.solid->core_vertex; ++b) {
+      const std::int32_t top = opened.vertex_of[b];
+      inner_.push_back({b, top, opened.mesh.positions[b] - opened.mesh.positions[top]});
+    }
+    return;
+  }
   std::vector<std::uint8_t> at_border(sites.vertex.size(), 0);
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
     if (mesh.opposite(h) != TriangleMesh::border) continue;
@@ -211,6 +218,7 @@ std::vector<Vec3> GrowthMotion::positions(double time) const {
   }
   drag_.along(slack, move);
   for (std::size_t v = 0; v < move.size(); ++v) positions[v] += move[v];
+  for (const Bottom& inner : inner_) positions[inner.vertex] = positions[inner.top] + inner.down;
   for (const Bottom& bottom : bottoms_) {
     const double open = 1 - slack[bottom.top];
     positions[bottom.vertex] =

@@ -14,7 +14,8 @@ namespace craze {
 /// crack part as it comes by; where a later crack will start from an open one, the two corners that
 /// it will separate move as one until then. Between cracks vertices go when the cracks around them
 /// have come, on average; what has not gone yet is dragged along by what has (drag.h). Side walls
-/// go down as their cracks open; those along the input's border are there from the start.
+/// go down as their cracks open; those along the input's border are there from the start. The inner
+/// surfaces of solids go with what is above them; cores stay.
 class GrowthMotion {
  public:
   /// `opened` was made of `mesh`.
@@ -47,6 +48,7 @@ class GrowthMotion {
   std::vector<Shift> shifts_;
   std::vector<double> arrival_;  // #V of the cut mesh
   std::vector<Bottom> bottoms_;
+  std::vector<Bottom> inner_;  // of solids: always as far below their tops
   Drag drag_;
 };
 

@@ -6,12 +6,13 @@ namespace craze {
 
 namespace {
 
-/// Per face the halfedge of the cut mesh that lends a corner its UV: its own, or for a wall one at
-/// the surface vertex the corner belongs to.
+/// Per face the halfedge of the cut mesh that lends a corner its UV: its own, that of the corner
+/// above it, or for a wall one at the surface vertex the corner belongs to.
 std::int32_t corner_source(const TriangleMesh& cut, const OpenedMesh& opened, std::size_t face,
-                           int corner) {
+                           int corner, std::int32_t above) {
   const std::int32_t f = opened.face_of[face];
   if (f >= 0) return 3 * f + corner;
+  if (above >= 0) return above;
   return cut.first_halfedge(opened.vertex_of[opened.mesh.triangles[face][corner]]);
 }
 
@@ -19,6 +20,17 @@ Vec3 face_normal(const SurfaceMesh& mesh, std::size_t f) {
   const Triangle& t = mesh.triangles[f];
   const Vec3& p = mesh.positions[t[0]];
   return (mesh.positions[t[1]] - p).cross(mesh.positions[t[2]] - p).normalized();
+}
+
+/// Cores come after the fragments.
+void number_cores(const OpenedMesh& opened, Attribute& fragment) {
+  if (!opened.solid || opened.solid->core.empty()) return;
+  const auto begin = static_cast<std::size_t>(opened.solid->core_begin);
+  double last = -1;
+  for (std::size_t f = 0; f < begin; ++f) last = std::max(last, fragment.values[f]);
+  for (std::size_t f = begin; f < fragment.values.size(); ++f) {
+    fragment.values[f] = last + 1 + opened.solid->core[f - begin];
+  }
 }
 
 void add_materials(SurfaceMesh& result, const SurfaceMesh& cut_surface, const OpenedMesh& opened) {
@@ -37,6 +49,17 @@ void add_materials(SurfaceMesh& result, const SurfaceMesh& cut_surface, const Op
 
 }  // namespace
 
+std::int32_t corner_above(const TriangleMesh& cut, const OpenedMesh& opened, std::size_t face,
+                          int corner) {
+  if (!opened.solid || static_cast<std::int32_t>(face) < opened.solid->inner_begin) return -1;
+  const std::int32_t v = opened.vertex_of[opened.mesh.triangles[face][corner]];
+  for (int i = 0; i < 3; ++i) {
+    const std::int32_t h = 3 * opened.beside[face] + i;
+    if (cut.root(cut.from(h)) == cut.root(v)) return h;
+  }
+  return -1;
+}
+
 SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh& cut,
                               const OpenedMesh& opened) {
   SurfaceMesh result;
@@ -48,14 +71,20 @@ SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh
   const bool normals = !cut_surface.corner_normals.empty();
   for (std::size_t f = 0; f < faces; ++f) {
     for (int i = 0; i < 3; ++i) {
-      const std::int32_t source = corner_source(cut, opened, f, i);
+      const std::int32_t above = corner_above(cut, opened, f, i);
+      const std::int32_t source = corner_source(cut, opened, f, i, above);
       if (!cut_surface.corner_uvs.empty()) {
         result.corner_uvs.push_back(cut_surface.corner_uvs[source]);
       }
       if (!normals) continue;
-      const bool wall = opened.face_of[f] < 0;
-      result.corner_normals.push_back(wall ? face_normal(result, f)
-                                           : cut_surface.corner_normals[source]);
+      if (opened.face_of[f] >= 0) {
+        result.corner_normals.push_back(cut_surface.corner_normals[source]);
+      } else if (above >= 0) {
+        const bool is_core = static_cast<std::int32_t>(f) >= opened.solid->core_begin;
+        result.corner_normals.push_back((is_core ? 1 : -1) * cut_surface.corner_normals[above]);
+      } else {
+        result.corner_normals.push_back(face_normal(result, f));
+      }
     }
   }
   for (const std::int32_t v : opened.vertex_of) {
@@ -68,6 +97,7 @@ SurfaceMesh opened_attributes(const SurfaceMesh& cut_surface, const TriangleMesh
   }
   for (const Attribute& a : cut_surface.face_attributes) {
     result.face_attributes.push_back(pick(a, opened.beside));
+    if (a.name == "fragment") number_cores(opened, result.face_attributes.back());
     if (a.name != "source_face") continue;
     for (std::size_t f = 0; f < faces; ++f) {
       if (opened.face_of[f] < 0) result.face_attributes.back().values[f] = -1;

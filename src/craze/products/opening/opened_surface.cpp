@@ -2,19 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "craze/engine/cracked_surface.h"
+#include "craze/error.h"
 #include "craze/mesh/transfer_attributes.h"
 #include "craze/products/opening/bend_refinement.h"
 #include "craze/products/opening/curl.h"
 #include "craze/products/opening/opened_attributes.h"
 #include "craze/products/opening/turned_normals.h"
+#include "craze/products/solids/inner_directions.h"
+#include "craze/products/solids/solids.h"
 
 namespace craze {
 
 namespace {
+
+/// Of the diagonal.
+constexpr double probe_depth = 0.005;
 
 Attribute as_attribute(const std::vector<Vec3>& vectors) {
   Attribute attribute{"vectors", 3, {}};
@@ -32,6 +41,18 @@ std::vector<Vec3> as_vectors(const Attribute& attribute) {
   return vectors;
 }
 
+/// #V of the mesh that was cut, or of what that was refined to: as the uncut surface has them, so
+/// that each of its triangles has a flat inner side however it was cut.
+std::vector<Vec3> outwards(const CrackedSurface& state, const TriangleMesh* refined) {
+  SurfaceMesh uncut;
+  uncut.positions = state.surface.positions;
+  uncut.triangles = state.surface.triangles;
+  uncut.vertex_attributes = {as_attribute(inner_directions(uncut.positions, uncut.triangles))};
+  SurfaceMesh cut = state.with_attributes(uncut);
+  if (refined) cut = transfer_attributes(cut, *refined);
+  return as_vectors(cut.vertex_attributes.front());
+}
+
 OpenedMesh unopened(const SurfaceMesh& cut) {
   OpenedMesh opened;
   opened.mesh.positions = cut.positions;
@@ -42,6 +63,23 @@ OpenedMesh unopened(const SurfaceMesh& cut) {
   std::iota(opened.face_of.begin(), opened.face_of.end(), 0);
   opened.beside = opened.face_of;
   return opened;
+}
+
+double bounding_diagonal(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : mesh.positions()) box.extend(p);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+/// Leaves the faces and vertices of `mesh`, which come first.
+void drop_walls(const TriangleMesh& mesh, OpenedMesh& opened) {
+  const std::size_t vertices = mesh.positions().size(), faces = mesh.triangles().size();
+  opened.mesh.positions.resize(vertices);
+  opened.vertex_of.resize(vertices);
+  opened.mesh.triangles.resize(faces);
+  opened.mesh.face_materials.resize(faces);
+  opened.face_of.resize(faces);
+  opened.beside.resize(faces);
 }
 
 std::vector<std::string> opening_warnings(const OpenedMesh& opened, const TriangleMesh& mesh) {
@@ -71,9 +109,13 @@ const TriangleMesh& OpenedSurface::base(const Result& result) const {
 
 OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes times,
                              const PostParameters& post, const Context& context) {
+  if (!(std::isfinite(post.thickness) && post.thickness >= 0)) {
+    throw Error(ErrorKind::request, "cannot open the cracks", "thickness",
+                "must be finite and not negative");
+  }
   OpenedSurface surface;
   surface.times = std::move(times);
-  if (post.gap == 0 && post.wall == 0) {
+  if (post.gap == 0 && post.wall == 0 && post.thickness == 0) {
     surface.opened = unopened(cut);
     surface.mesh = std::move(cut);
     return surface;
@@ -96,8 +138,21 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   OpeningOptions options;
   options.gap = post.gap;
   options.wall = post.wall;
+  if (post.thickness > 0) {
+    // Shallow ones, which tell where rims in one plane would slide over each other.
+    options.wall =
+        post.gap > 0 ? std::min<double>(post.thickness, probe_depth * bounding_diagonal(mesh)) : 0;
+  }
   options.curl = post.curl;
   surface.opened = open_cracks(mesh, displacement, options, context);
+  surface.warnings = opening_warnings(surface.opened, mesh);
+  if (post.thickness > 0) {
+    drop_walls(mesh, surface.opened);
+    const std::vector<std::string> warnings =
+        make_solid(mesh, crack_sites(mesh), outwards(state, surface.refined.get()),
+                   {post.thickness, post.core}, surface.opened, context);
+    surface.warnings.insert(surface.warnings.end(), warnings.begin(), warnings.end());
+  }
   context.check();
   context.report({"open", 1});
   surface.shut = post.gap == 0;
@@ -106,7 +161,6 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
     cut.corner_normals = turned_normals(cut, surface.opened.mesh.positions);
   }
   surface.mesh = opened_attributes(cut, mesh, surface.opened);
-  surface.warnings = opening_warnings(surface.opened, mesh);
   return surface;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "craze/context.h"
@@ -19,6 +20,15 @@ struct OpeningOptions {
   bool keep_border = false;  ///< border vertices that are on no crack stay where they are
 };
 
+/// How an opened mesh whose fragments are closed solids is put together (solids/solids.h): outer
+/// surfaces, walls, inner surfaces, cores.
+struct SolidParts {
+  std::int32_t inner_begin;        ///< faces from here on are inner surfaces
+  std::int32_t core_begin;         ///< faces from here on are of cores
+  std::int32_t core_vertex;        ///< vertices from here on are of cores
+  std::vector<std::int32_t> core;  ///< of each face of cores: of which, from 0
+};
+
 /// The cut mesh, opened. Attributes are for the caller to carry over by the two maps.
 struct OpenedMesh {
   /// Positions, triangles, face_materials: 0 = "crack_wall" for side walls, −1 otherwise. The faces
@@ -27,6 +37,7 @@ struct OpenedMesh {
   std::vector<std::int32_t> vertex_of;  ///< #V: the simulation vertex
   std::vector<std::int32_t> face_of;    ///< #F: the simulation face, −1 for walls
   std::vector<std::int32_t> beside;     ///< #F: that face, or the one that a wall hangs from
+  std::optional<SolidParts> solid;      ///< none: a surface
   /// Where the surface would have passed through itself it was opened less.
   std::int32_t limited_vertices = 0;  ///< of the simulation mesh
   double least_share = 1;             ///< of the opening asked for

@@ -2,6 +2,7 @@
 
 #include "craze/engine/cracked_surface.h"
 #include "craze/mesh/smooth_normals.h"
+#include "craze/products/opening/opened_attributes.h"
 
 namespace craze {
 
@@ -17,7 +18,13 @@ std::vector<Vec3> shading_normals(const OpenedSurface& shown, const Result& resu
     const Triangle& t = shown.mesh.triangles[f];
     const Vec3& p = shown.mesh.positions[t[0]];
     const Vec3 n = (shown.mesh.positions[t[1]] - p).cross(shown.mesh.positions[t[2]] - p);
-    normals.insert(normals.end(), 3, n.stableNormalized());
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t above = corner_above(shown.base(result), shown.opened, f, i);
+      const bool is_core =
+          above >= 0 && static_cast<std::int32_t>(f) >= shown.opened.solid->core_begin;
+      normals.push_back(above < 0 ? Vec3(n.stableNormalized())
+                                  : Vec3((is_core ? 1 : -1) * normals[above]));
+    }
   }
   return normals;
 }

@@ -1,8 +1,9 @@
 #include "craze/products/opening/side_walls.h"
 
-#include <map>
 #include <set>
 #include <utility>
+
+#include "craze/products/opening/wall_fans.h"
 
 namespace craze {
 
@@ -55,29 +56,6 @@ class WallBuilder {
   SideWalls walls_;
 };
 
-using Between = std::pair<std::int32_t, std::int32_t>;
-/// Which ends of a side lie inside an edge of the other side of the crack.
-struct Inside {
-  bool from, to;
-};
-
-/// By the sites at the ends of a side that is part of an edge of the other side.
-std::map<Between, Inside> inside_other_sides(const TriangleMesh& mesh, const CrackSites& sites) {
-  std::map<Between, Inside> inside;
-  for (std::size_t i = 0; i < sites.sides.size(); ++i) {
-    if (sites.first[i] == sites.first[i + 1]) continue;
-    std::int32_t before = sites.site_of[mesh.from(sites.sides[i])];
-    bool before_inside = false;
-    for (std::int32_t k = sites.first[i]; k < sites.first[i + 1]; ++k) {
-      inside[{sites.inner[k], before}] = {true, before_inside};
-      before = sites.inner[k];
-      before_inside = true;
-    }
-    inside[{sites.site_of[mesh.to(sites.sides[i])], before}] = {false, true};
-  }
-  return inside;
-}
-
 }  // namespace
 
 SideWalls side_walls(const TriangleMesh& mesh, const CrackSites& sites,
@@ -93,7 +71,7 @@ SideWalls side_walls(const TriangleMesh& mesh, const CrackSites& sites,
     ends_at.emplace(b, sites.before_to(mesh, i));
   }
 
-  const std::map<Between, Inside> inside = inside_other_sides(mesh, sites);
+  const std::vector<std::size_t> fans = wall_fans(mesh, sites);
   WallBuilder builder(mesh, sites, normals, depth);
   std::vector<std::int32_t> inner;
   for (std::size_t i = 0; i < sites.sides.size(); ++i) {
@@ -103,21 +81,12 @@ SideWalls side_walls(const TriangleMesh& mesh, const CrackSites& sites,
     for (std::int32_t k = sites.first[i]; k < sites.first[i + 1]; ++k) {
       inner.push_back(sites.vertex[sites.inner[k]]);
     }
-    // Both sides are divided alike, so that their walls do not cross however little they part: they
-    // fan out from the same site, or, where one side was split, from the ends of the other, whole
-    // one. But not from a tip, which is the same vertex for both.
+    // Not from a tip, which is the same vertex for both sides.
     const bool a_is_tip = ends_at.count({a, sites.after_from(mesh, i)}) > 0;
     const bool b_is_tip = starts_at.count({b, sites.before_to(mesh, i)}) > 0;
-    const std::size_t bottom_edges = inner.size() + 1;
-    std::size_t from_start = sites.site_of[a] > sites.site_of[b] ? bottom_edges : 0;
-    const auto part = inside.find({sites.site_of[a], sites.site_of[b]});
-    if (!inner.empty()) {
-      from_start = 1;
-    } else if (part != inside.end() && part->second.from != part->second.to) {
-      from_start = part->second.from ? 0 : bottom_edges;
-    }
+    std::size_t from_start = fans[i];
     if (a_is_tip) from_start = 0;
-    if (b_is_tip) from_start = bottom_edges;
+    if (b_is_tip) from_start = inner.size() + 1;
     builder.build(h, inner, from_start);
   }
   for (std::int32_t h = 0; along_border && h < 3 * mesh.face_count(); ++h) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "craze/io/gltf/solids/scene_solid.h"
+#include "craze/io/gltf/solids/solid_node.h"
 #include "craze/io/polygons/float_grid.h"
 
 namespace craze {
@@ -39,7 +41,8 @@ double largest_coordinate(const std::vector<LoosePart>& parts) {
   return most;
 }
 
-Vec3 centroid_of(const std::vector<Piece>& pieces) {
+/// Positions and triangles of all of them.
+SurfaceMesh mesh_of(const std::vector<Piece>& pieces) {
   SurfaceMesh mesh;
   for (const Piece& piece : pieces) {
     const auto first = static_cast<std::int32_t>(mesh.positions.size());
@@ -55,13 +58,14 @@ Vec3 centroid_of(const std::vector<Piece>& pieces) {
       mesh.triangles.push_back({vertex(0), vertex(1), vertex(2)});
     }
   }
-  return centroid(mesh);
+  return mesh;
 }
 
 /// Gives the pieces' places from their middle, which is returned; on a grid on which neighbours
 /// still meet to the last bit.
-Vec3 recentre(std::vector<Piece>& pieces, double grid) {
-  const Vec3 origin = on_grid(centroid_of(pieces), grid);
+Vec3 recentre(std::vector<Piece>& pieces, bool is_solid, double grid) {
+  const SurfaceMesh mesh = mesh_of(pieces);
+  const Vec3 origin = on_grid(is_solid ? solid_mass(mesh).centre : centroid(mesh), grid);
   for (Piece& piece : pieces) {
     PrimitiveVertices& vertices = piece.primitive.vertices();
     for (std::size_t v = 0; v < vertices.count(); ++v) {
@@ -105,8 +109,13 @@ void hand_on_weights(std::size_t node, const std::vector<std::size_t>& to, bool 
 
 class FragmentNodes {
  public:
-  FragmentNodes(const Showing& showing, bool is_skinned, SceneGrowth* growth, SceneOutput& output)
-      : showing_(showing), is_skinned_(is_skinned), growth_(growth), output_(output) {
+  FragmentNodes(const Showing& showing, bool is_skinned, std::optional<Collider> solids,
+                SceneGrowth* growth, SceneOutput& output)
+      : showing_(showing),
+        is_skinned_(is_skinned),
+        solids_(solids),
+        growth_(growth),
+        output_(output) {
     mesh_ = output.root["meshes"][showing.mesh];
   }
 
@@ -117,7 +126,7 @@ class FragmentNodes {
       if (shown.contains(key)) node[key] = shown[key];
     }
     if (!is_skinned_ && !shown.contains("skin")) {
-      const Vec3 origin = recentre(pieces, grid);
+      const Vec3 origin = recentre(pieces, solids_.has_value(), grid);
       node["translation"] = {origin.x(), origin.y(), origin.z()};
     }
     const std::size_t mesh = next_mesh();
@@ -133,6 +142,7 @@ class FragmentNodes {
     }
     output_.root["meshes"][mesh]["primitives"] = std::move(primitives);
     if (growth_) growth_->end(output_);
+    if (solids_) add_solid(mesh_of(pieces), *solids_, nodes_.back(), output_);
   }
 
   /// Puts the nodes in their place.
@@ -163,6 +173,7 @@ class FragmentNodes {
 
   const Showing& showing_;
   bool is_skinned_;
+  std::optional<Collider> solids_;
   SceneGrowth* growth_;
   SceneOutput& output_;
   Json mesh_;  // as it was
@@ -173,10 +184,11 @@ class FragmentNodes {
 
 void add_fragment_nodes(const Showing& showing, const std::vector<LoosePart>& parts,
                         const std::vector<std::size_t>& taken, const std::string& name,
-                        bool is_skinned, SceneGrowth* growth, SceneOutput& output) {
+                        bool is_skinned, std::optional<Collider> solids, SceneGrowth* growth,
+                        SceneOutput& output) {
   Json left = left_of_mesh(showing, taken, output.root);
   const double grid = float_grid(largest_coordinate(parts));
-  FragmentNodes nodes(showing, is_skinned, growth, output);
+  FragmentNodes nodes(showing, is_skinned, solids, growth, output);
   std::map<double, std::vector<Piece>> all = pieces_by_fragment(parts);
   for (auto& [value, pieces] : all) {
     nodes.add(fmt::format("{}_{:g}", name, value), pieces, grid);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "craze/collider.h"
 #include "craze/io/gltf/scene/loose_primitive.h"
 
 namespace craze {
@@ -19,9 +20,11 @@ struct LoosePart {
 /// Shows each fragment by a node NAME_VALUE below the showing's own, with the same mesh but for its
 /// triangles, its origin at the fragment's centroid; where joints place all of it, at the top of
 /// the scene, with the same skin. What moved the weights of the showing's targets moves theirs. The
-/// showing's own node keeps its primitives other than `taken`. `growth` may be null.
+/// showing's own node keeps its primitives other than `taken`. Of `solids` the origin is the centre
+/// of mass (MeshFileOptions::solids). `growth` may be null.
 void add_fragment_nodes(const Showing& showing, const std::vector<LoosePart>& parts,
                         const std::vector<std::size_t>& taken, const std::string& name,
-                        bool is_skinned, SceneGrowth* growth, SceneOutput& output);
+                        bool is_skinned, std::optional<Collider> solids, SceneGrowth* growth,
+                        SceneOutput& output);
 
 }  // namespace craze

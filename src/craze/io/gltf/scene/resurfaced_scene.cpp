@@ -12,6 +12,8 @@
 #include "craze/io/gltf/line_lifts.h"
 #include "craze/io/gltf/scene/scene_materials.h"
 #include "craze/io/gltf/scene/scene_output.h"
+#include "craze/io/gltf/solids/scene_solid.h"
+#include "craze/io/gltf/solids/solid_node.h"
 #include "craze/io/polygons/float_grid.h"
 #include "craze/io/polygons/single_precision.h"
 #include "craze/io/polygons/unify_corners.h"
@@ -121,12 +123,14 @@ class Resurfacer {
     const double grid = float_grid(part);
     for (const MeshPart& piece : mesh_parts(part, options_.objects)) {
       SurfaceMesh own = extract_part(part, piece.faces).mesh;
-      const Vec3 origin = on_grid(centroid(own), grid);
+      const Vec3 middle = options_.solids ? solid_mass(own).centre : centroid(own);
+      const Vec3 origin = on_grid(middle, grid);
       for (Vec3& p : own.positions) p = on_grid(p, grid) - origin;
       const std::size_t mesh = add_mesh(piece.name, own);
       Json& nodes = output_.root["nodes"];
       nodes[node]["children"].push_back(nodes.size());
       nodes.push_back({{"name", piece.name}, {"mesh", mesh}, {"translation", to_json(origin)}});
+      if (options_.solids) add_solid(own, *options_.solids, nodes.size() - 1, output_);
     }
   }
 

@@ -113,7 +113,8 @@ class SceneWriter {
       add(own.walls, LoosePrimitive::Kind::walls);
       if (!own.walls.empty()) loose.back().material = wall_material();
     }
-    add_fragment_nodes(showing, loose, taken, options_.objects, is_skinned, growth, output_);
+    add_fragment_nodes(showing, loose, taken, options_.objects, is_skinned, options_.solids, growth,
+                       output_);
   }
 
   std::size_t wall_material() {

@@ -1,0 +1,32 @@
+// Where the vertices of solids lie.
+#pragma once
+
+#include <vector>
+
+#include "craze/mesh/triangle_mesh.h"
+#include "craze/products/growth/crack_sites.h"
+#include "craze/products/solids/solid_topology.h"
+
+namespace craze {
+
+/// Fragments with a thickness yet to be chosen: below each vertex of a fragment, moved with it,
+/// lies one of its inner surface. A core stays where the surface was, far enough below to be clear
+/// of what moved.
+struct SolidShape {
+  const TriangleMesh& mesh;  ///< cut and shut
+  const CrackSites& sites;
+  const Shells& shells;
+  const std::vector<Vec3>& opened;       ///< #V: where its vertices are
+  const std::vector<Vec3>& outwards;     ///< #V, the same on a site: inner_directions.h
+  const std::vector<double>& clearance;  ///< #V, the same on a site, length: of the core
+  const SolidTopology& topology;
+
+  /// Of the mesh, then of the bottoms. `depth` (#V): how thick, the same on a site.
+  std::vector<Vec3> positions(const std::vector<double>& depth) const;
+};
+
+/// #V, the same on a site: how far vertices have moved.
+std::vector<double> largest_moves(const TriangleMesh& mesh, const CrackSites& sites,
+                                  const std::vector<Vec3>& opened);
+
+}  // namespace craze
