@@ -42,10 +42,13 @@ enum class ShutCracks {
 
 /// [post]: §5 of the paper, done to the finished mesh.
 struct PostParameters {
-  double gap = 0;        ///< γ of Eq. 9
-  Length gap_width = 0;  ///< mean opening, instead of gap; a run turns it into that
-  Length wall = 0;       ///< depth of the side walls
-  double curl = 0;       ///< lift at a crack, as a share of the displacement there
+  double gap = 0;                   ///< γ of Eq. 9
+  Length gap_width = 0;             ///< mean opening, instead of gap; a run turns it into that
+  Length wall = 0;                  ///< depth of the side walls
+  double curl = 0;                  ///< lift at a crack, as a share of the displacement there
+  Length roughness = 0;             ///< of the cracks' lines, rms over the usual length of a crack
+  double roughness_exponent = 0.8;  ///< Hurst exponent of that
+  Length roughness_step = 0;        ///< between points of a rough line; 0: automatic
   ShutCracks lines = ShutCracks::automatic;
 };
 
