@@ -61,13 +61,13 @@ void lay_out(const SurfaceMesh& mesh, const TileGrid& grid, MapSurface& maps) {
 }  // namespace
 
 MapSurface tile_surface(const CrackedTile& tile) {
-  const TriangleMesh& cut = tile.simulation->mesh();
+  const TriangleMesh& cut = tile.mesh();
   const TileGrid grid(cut.period().length);
   MapSurface maps;
   maps.diagonal = bounding_diagonal({}, cut.period());
   lay_out(tile.surface, grid, maps);
   for (std::int32_t f = 0; f < cut.face_count(); ++f) {
-    const std::int32_t face = cut.source_face(f);
+    const std::int32_t face = tile.source_face(f);
     MapPiece piece{face, tile.fragments.face[static_cast<std::size_t>(f)], {}};
     const Vec2& first = maps.surface.corner_uvs[3 * static_cast<std::size_t>(face)];
     for (std::size_t i = 0; i < 3; ++i) {
