@@ -353,6 +353,14 @@ TEST(Roughness, KeepsTheOpeningOfTheCrackThatItWas) {
   EXPECT_GT(apart / length, mean_width(smooth) / 4);
 }
 
+TEST(Roughness, LeavesRoomForTheGapThatTheSmoothCracksHave) {
+  const std::vector<std::string> gap = {"post.gap_width=0.01", "post.wall=0.02",
+                                        "post.roughness=0.008", "post.roughness_step=0.002"};
+  const Result rough = cracked(plate, gap);
+  const Opening opening(rough, rough.report().recipe.post, {});
+  EXPECT_EQ(opening.warnings(), std::vector<std::string>());
+}
+
 TEST(Roughness, HasBoundedWorkWhateverIsAskedFor) {
   const Result rough = cracked(plate, {"post.roughness=0.01", "post.roughness_step=0.0000000001"});
   EXPECT_LE(rough.state().network.edges.size(), 4 * 262144u);

@@ -163,9 +163,9 @@ CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const SimulatedCracks& c
   std::vector<CrackSides> sides =
       crack_sides_of(cracked.mesh, cracked.displacement, cracked.network);
   if (cracked.rough) sides = sides_of_pieces(sides, cracked.rough->pieces);
-  result.displacement =
-      carry_field(result.cut, positions_on(result.cut, asset, smooth.positions), result.curves,
-                  {cracked.mesh, cracked.displacement, cracked.parts, sides});
+  result.displacement = carry_field(
+      result.cut, positions_on(result.cut, asset, smooth.positions), result.curves,
+      {cracked.mesh, cracked.displacement, cracked.parts, sides, cracked.rough != nullptr});
   return result;
 }
 
