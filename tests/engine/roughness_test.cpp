@@ -354,8 +354,8 @@ TEST(Roughness, KeepsTheOpeningOfTheCrackThatItWas) {
 }
 
 TEST(Roughness, LeavesRoomForTheGapThatTheSmoothCracksHave) {
-  const std::vector<std::string> gap = {"layer.spacing=0.25", "post.gap_width=0.01",
-                                        "post.wall=0.02", "post.roughness=0.003"};
+  const std::vector<std::string> gap = {"layer.spacing=0.25", "post.gap_width=0.02",
+                                        "post.wall=0.02", "post.roughness=0.006"};
   const Result rough = cracked(plate, gap);
   const Opening opening(rough, rough.report().recipe.post, {});
   EXPECT_EQ(opening.warnings(), std::vector<std::string>());

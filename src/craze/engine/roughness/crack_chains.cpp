@@ -1,5 +1,7 @@
 #include "craze/engine/roughness/crack_chains.h"
 
+#include <utility>
+
 namespace craze {
 
 namespace {
