@@ -50,6 +50,9 @@ struct PostParameters {
   Length thickness = 0;  ///< each fragment is a closed solid; instead of wall
   bool core = false;     ///< what is left inside a closed surface is a solid as well
   Collider collider = Collider::extras;  ///< of solids
+  Length roughness = 0;             ///< of the cracks' lines, rms over the usual length of a crack
+  double roughness_exponent = 0.8;  ///< Hurst exponent of that
+  Length roughness_step = 0;        ///< between points of a rough line; 0: automatic
   ShutCracks lines = ShutCracks::automatic;
 };
 

@@ -20,4 +20,11 @@ inline CrackedTile mud_tile(double spacing, std::uint64_t seed, const Context& c
   return crack_tile(mud_for_tiles(spacing, seed), {1, 0}, context);
 }
 
+/// The same with post.roughness, in sides.
+inline CrackedTile rough_mud_tile(double spacing, std::uint64_t seed, double roughness) {
+  Recipe recipe = mud_for_tiles(spacing, seed);
+  recipe.post.roughness = roughness;
+  return crack_tile(recipe, {1, 0}, {});
+}
+
 }  // namespace craze

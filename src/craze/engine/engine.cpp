@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <numeric>
 
 #include "craze/engine/asset/keep_to_planes.h"
 #include "craze/engine/check_where.h"
@@ -57,7 +58,9 @@ void settle(CrackedSurface& state, SimulationSurface surface, Report& report,
   const Simulation& simulation = *state.simulation;
   state.network = crack_network(simulation);
   state.fragments = find_components(simulation.mesh());
-  if (surface.asset.triangles.empty()) {
+  const bool is_rough = state.recipe.post.roughness > 0;
+  const bool on_itself = surface.asset.triangles.empty();
+  if (on_itself && !is_rough) {
     state.surface = std::move(surface.mesh);
     return;
   }
@@ -66,13 +69,23 @@ void settle(CrackedSurface& state, SimulationSurface surface, Report& report,
     p.cracks = simulation.events();
     context.report(p);
   };
+  RoughNetwork rough;
+  if (is_rough) {
+    rough = roughen(state.network, simulation.mesh(), roughness_options(state.recipe), counting);
+    warn_of_roughness(report, state.recipe, rough);
+  }
+  if (on_itself) {
+    surface.asset = std::move(surface.mesh);
+    surface.asset_face.resize(surface.asset.triangles.size());
+    std::iota(surface.asset_face.begin(), surface.asset_face.end(), 0);
+  }
   const std::vector<Vec3> displacement = state.displacements();
   auto carried = std::make_unique<CrackedAsset>(
       carry_onto_asset(surface.asset,
                        {simulation.mesh(), state.network, displacement, state.fragments.face,
-                        surface.asset_face, &surface.smooth},
+                        surface.asset_face, &surface.smooth, is_rough ? &rough : nullptr},
                        -1, counting));
-  if (!state.network.edges.empty()) {
+  if (!state.network.edges.empty() && !on_itself) {
     const auto edges = static_cast<double>(state.network.edges.size());
     keep_to_planes(surface.asset, carried->cut, total_length(state.network) / edges,
                    carried->displacement);

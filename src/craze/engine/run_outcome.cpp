@@ -6,6 +6,12 @@
 
 namespace craze {
 
+namespace {
+
+constexpr double told_from = 0.1;  // of the length of the cracks: what is seen
+
+}  // namespace
+
 void resolve_gap(PostParameters& post, const CrackNetwork& network) {
   if (!(post.gap_width > 0)) return;
   double length = 0, opening = 0;  // of Eq. 9 with γ = 1, times the length
@@ -16,6 +22,27 @@ void resolve_gap(PostParameters& post, const CrackNetwork& network) {
   }
   if (opening > 0) post.gap = post.gap_width * (length / opening);
   post.gap_width = 0;
+}
+
+RoughnessOptions roughness_options(const Recipe& recipe) {
+  const PostParameters& post = recipe.post;
+  return {post.roughness, post.roughness_exponent, post.roughness_step, recipe.simulation.seed};
+}
+
+void warn_of_roughness(Report& report, const Recipe& recipe, const RoughNetwork& rough) {
+  if (rough.held_back > told_from) {
+    report.warnings.push_back(
+        fmt::format("cracks are less rough than asked for (post.roughness) along {:.0f} % of their "
+                    "length: others, or bends of their own, are too near",
+                    100 * rough.held_back));
+  }
+  if (rough.step > recipe.post.roughness_step && recipe.post.roughness_step > 0) {
+    report.warnings.push_back(
+        fmt::format("the points of rough cracks lie up to {:.3g} apart, not {:.3g} "
+                    "(post.roughness_step): finer, they would be more than {:.0f}, or the lines "
+                    "steeper than 45 degrees",
+                    rough.step, static_cast<double>(recipe.post.roughness_step), most_points));
+  }
 }
 
 void add_run_warnings(Report& report, const LastCycle& last, const Simulation& simulation) {

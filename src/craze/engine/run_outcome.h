@@ -2,6 +2,7 @@
 #pragma once
 
 #include "craze/engine/cycles.h"
+#include "craze/engine/roughness/rough_network.h"
 #include "craze/model/crack_network.h"
 #include "craze/report.h"
 
@@ -9,6 +10,12 @@ namespace craze {
 
 /// post.gap for which cracks open by post.gap_width on average over their length.
 void resolve_gap(PostParameters& post, const CrackNetwork& network);
+
+/// What [post] says of roughness; of a resolved recipe.
+RoughnessOptions roughness_options(const Recipe& recipe);
+
+/// Adds to the report where the cracks' lines could not be as rough or as fine as asked.
+void warn_of_roughness(Report& report, const Recipe& recipe, const RoughNetwork& rough);
 
 /// Adds to the report what the user should know of how the cracking ended. Wants its `recipe`,
 /// `carried` and `cracks`; `last` may have given its simulation away.

@@ -63,6 +63,17 @@ SurfaceMesh coarse_square(const Recipe& recipe, double screening_length, double 
   return periodic_square(side, std::max(fewest_cells, static_cast<int>(std::min(cells, 1e3))));
 }
 
+/// Makes the cracks' lines rough, where the recipe asks for that.
+void roughen_tile(CrackedTile& tile, const Context& context) {
+  if (!(tile.recipe.post.roughness > 0)) return;
+  const RoughNetwork rough =
+      roughen(tile.network, tile.simulation->mesh(), roughness_options(tile.recipe), context);
+  warn_of_roughness(tile.report, tile.recipe, rough);
+  tile.rough =
+      std::make_unique<const CrackedAsset>(carry_onto_plane(tile.surface, rough.network, context));
+  tile.network = tile.rough->network;
+}
+
 }  // namespace
 
 CrackedTile crack_tile(const Recipe& recipe, const TileSize& size, const Context& context) {
@@ -98,11 +109,12 @@ CrackedTile crack_tile(const Recipe& recipe, const TileSize& size, const Context
   tile.surface = std::move(run.surface.mesh);
   tile.simulation = std::move(run.last.simulation);
   tile.network = crack_network(*tile.simulation);
-  tile.fragments = find_components(tile.simulation->mesh());
+  roughen_tile(tile, context);
+  tile.fragments = find_components(tile.mesh());
   resolve_gap(tile.recipe.post, tile.network);
 
   const Simulation& simulation = *tile.simulation;
-  const TriangleMesh& mesh = simulation.mesh();
+  const TriangleMesh& mesh = tile.mesh();
   report.recipe = tile.recipe;
   report.simulation = count_mesh(tile.surface);
   report.output = {mesh.vertex_count(), mesh.face_count()};

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "craze/context.h"
+#include "craze/engine/asset/carry_onto_asset.h"
 #include "craze/mesh/components.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/simulation.h"
@@ -25,9 +26,16 @@ struct CrackedTile {
   Recipe recipe;        ///< as it was run: lengths resolved
   SurfaceMesh surface;  ///< the simulation's mesh before its first cut
   std::unique_ptr<const Simulation> simulation;
-  CrackNetwork network;
-  Components fragments;  ///< the parts of the cut mesh
+  std::unique_ptr<const CrackedAsset> rough;  ///< what roughness cut; null: mesh() is as it grew
+  CrackNetwork network;                       ///< the cracks of mesh()
+  Components fragments;                       ///< the parts of mesh()
   Report report;
+
+  const TriangleMesh& mesh() const { return rough ? rough->mesh : simulation->mesh(); }
+  /// The face of `surface` that a face of mesh() is part of.
+  std::int32_t source_face(std::int32_t f) const {
+    return rough ? rough->cut.face_source[f] : mesh().source_face(f);
+  }
 };
 
 /// Cracks a tile by a recipe, as crack() does a plate: what is relative is so to the diagonal of

@@ -13,6 +13,7 @@ constexpr ParameterRange not_negative{0};
 constexpr ParameterRange positive{0, any.high, true};
 constexpr ParameterRange share{0, 1};
 constexpr ParameterRange positive_share{0, 1, true};
+constexpr ParameterRange inside_share{0.01, 0.99};
 constexpr ParameterRange angle{0, 90};
 constexpr ParameterRange count{0, 9007199254740992.0};  // 2^53: whole in a double, and in JSON
 constexpr ParameterRange from_one{1, count.high};
@@ -306,6 +307,19 @@ std::vector<Parameter> make_table() {
                     "\"extras\": numbers in its node's extras; \"unreal\", \"godot\": a node of "
                     "its own, named as that engine's importer wants it",
             .choices = {"none", "extras", "unreal", "godot"}})
+      .add("roughness", &PostParameters::roughness, not_negative,
+           {.help = "how rough the cracks' own lines are, in the surface: rms difference over the "
+                    "usual length of a crack between two junctions; 0: smooth",
+            .unit = "length"})
+      .add("roughness_exponent", &PostParameters::roughness_exponent, inside_share,
+           {.help = "how roughness goes down with scale, as its power: near 1 soft bends, near 0 "
+                    "fine teeth; broken materials have 0.75 to 0.8",
+            .symbol = "H",
+            .source = "Bouchaud 1997"})
+      .add("roughness_step", &PostParameters::roughness_step, not_negative,
+           {.help = "distance between the points of a rough line, at most; 0: 1/256 of the usual "
+                    "length of a crack, more where that makes over 262144 points",
+            .unit = "length"})
       .add("lines", &PostParameters::lines, any,
            {.help = "cracks that are shut, gap 0, in GLB: \"auto\": dark lines a hair above the "
                     "surface, so that every viewer shows them; \"none\": the surface alone",

@@ -54,6 +54,36 @@ std::vector<std::int32_t> matching_parts(const CutAsset& cut, const FieldSource&
   return match;
 }
 
+/// The field at the point of the mesh nearest to p that is found by going from face to face, each
+/// nearer than the last, over no open edge.
+Vec3 walked_to(const Vec3& p, std::int32_t face, const FieldSource& source) {
+  const auto nearest = [&](std::int32_t f) {
+    const Triangle& t = source.mesh.triangle(f);
+    const Vec3 &a = source.mesh.position(t[0]), &b = source.mesh.position(t[1]),
+               &c = source.mesh.position(t[2]);
+    Vec3 w = nearest_weights(p, a, b, c);
+    if (!w.allFinite()) w = Vec3::UnitX();
+    return std::pair<double, Vec3>{(w[0] * a + w[1] * b + w[2] * c - p).norm(), w};
+  };
+  std::pair<double, Vec3> best = nearest(face);
+  for (bool nearer = best.first > 0; nearer;) {
+    nearer = false;
+    for (std::int32_t h = 3 * face; h < 3 * face + 3; ++h) {
+      if (source.mesh.is_open(h)) continue;
+      const std::int32_t beyond = TriangleMesh::face_of(source.mesh.opposite(h));
+      const std::pair<double, Vec3> other = nearest(beyond);
+      if (!(other.first < best.first)) continue;
+      best = other;
+      face = beyond;
+      nearer = true;
+      break;
+    }
+  }
+  const Triangle& t = source.mesh.triangle(face);
+  return best.second[0] * source.field[t[0]] + best.second[1] * source.field[t[1]] +
+         best.second[2] * source.field[t[2]];
+}
+
 }  // namespace
 
 std::vector<Vec3> carry_field(const CutAsset& cut, const std::vector<Vec3>& positions,
@@ -66,12 +96,17 @@ std::vector<Vec3> carry_field(const CutAsset& cut, const std::vector<Vec3>& posi
     for (std::size_t s = 0; s < 2; ++s) {
       const std::int32_t h = edge.side[s];
       if (h < 0) continue;
-      const std::array<Vec3, 2>& of_end = source.sides[edge.curve_edge].value[s];
+      const CrackSides& sides = source.sides[edge.curve_edge];
+      const std::array<Vec3, 2>& of_end = sides.value[s];
       for (const std::int32_t v :
            {cut.triangles[h / 3][h % 3], cut.triangles[h / 3][(h + 1) % 3]}) {
+        ++count[v];
+        if (source.is_beside && sides.face[s] >= 0) {
+          values[v] += walked_to(positions[v], sides.face[s], source);
+          continue;
+        }
         const double t = nearest_on_segment(positions[v], a, b);
         values[v] += (1 - t) * of_end[0] + t * of_end[1];
-        ++count[v];
       }
     }
   }

@@ -14,10 +14,12 @@ constexpr double safe_roundings = 1024;  // what is so many roundings apart is a
 
 }  // namespace
 
-SiteTable::SiteTable(const SurfaceMesh& asset, const AssetTopology& topology, double snap)
+SiteTable::SiteTable(const SurfaceMesh& asset, const AssetTopology& topology, double snap,
+                     const Period& period)
     : asset_(asset),
       topology_(topology),
       snap_(snap),
+      period_(period),
       of_place_(asset.positions.size(), -1),
       of_edge_(topology.edge_count(), -1) {
   double largest = 0;
@@ -42,7 +44,7 @@ std::int32_t SiteTable::at_place(std::int32_t place) {
 
 std::int32_t SiteTable::on_halfedge(std::int32_t h, double s) {
   const std::int32_t a = topology_.from(h), b = topology_.to(h), edge = topology_.edge(h);
-  const double length = (asset_.positions[b] - asset_.positions[a]).norm();
+  const double length = period_.shortest(asset_.positions[b] - asset_.positions[a]).norm();
   const double near = edge_share(length);
   if (!(s >= near)) return at_place(a);
   if (s > 1 - near) return at_place(b);
@@ -70,8 +72,9 @@ std::int32_t SiteTable::at(const SurfacePoint& point) {
   const Vec3& w = point.weights;
   const std::int32_t corner[3] = {topology_.from(3 * f), topology_.from(3 * f + 1),
                                   topology_.from(3 * f + 2)};
-  const Vec3 &a = asset_.positions[corner[0]], &b = asset_.positions[corner[1]],
-             &c = asset_.positions[corner[2]];
+  const Vec3& a = asset_.positions[corner[0]];
+  const Vec3 b = period_.nearest(asset_.positions[corner[1]], a),
+             c = period_.nearest(asset_.positions[corner[2]], a);
   const double double_area = (b - a).cross(c - a).norm();
   const Vec3 p = w[0] * a + w[1] * b + w[2] * c;
   // The edges that the point is too near to; the nearest of them by its share of the height.
@@ -79,7 +82,8 @@ std::int32_t SiteTable::at(const SurfacePoint& point) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     const std::int32_t h = 3 * f + i;
-    const double length = (asset_.positions[topology_.to(h)] - asset_.positions[corner[i]]).norm();
+    const double length =
+        period_.shortest(asset_.positions[topology_.to(h)] - asset_.positions[corner[i]]).norm();
     const double height = length > 0 ? double_area / length : 0;
     const double share = w[(i + 2) % 3], near = edge_share(height);
     if (share < near && share / near < least && topology_.edge(h) >= 0) {
@@ -91,8 +95,8 @@ std::int32_t SiteTable::at(const SurfacePoint& point) {
     const std::int32_t h = 3 * f + nearest;
     const double from = std::max(w[nearest], 0.0), to = std::max(w[(nearest + 1) % 3], 0.0);
     // The foot of the perpendicular, or where a face has no height the same ratio.
-    const Vec3 origin = asset_.positions[topology_.from(h)];
-    const Vec3 edge = asset_.positions[topology_.to(h)] - origin;
+    const Vec3 origin = period_.nearest(asset_.positions[topology_.from(h)], p);
+    const Vec3 edge = period_.shortest(asset_.positions[topology_.to(h)] - origin);
     const double foot = (p - origin).dot(edge) / edge.squaredNorm();
     const bool sound = foot >= 0 && foot <= 1;
     return on_halfedge(h, w[(nearest + 2) % 3] > 0 && sound ? foot
@@ -132,11 +136,12 @@ Vec3 SiteTable::position(std::int32_t site, const std::vector<Vec3>& p) const {
     const std::int32_t low = std::min(topology_.from(h), topology_.to(h)),
                        high = std::max(topology_.from(h), topology_.to(h));
     const double t = s.at * (1.0 / grid);
-    return (1 - t) * p[low] + t * p[high];
+    return (1 - t) * p[low] + t * period_.nearest(p[high], p[low]);
   }
   const Triangle& t = asset_.triangles[s.where];
   const Vec3 w = weights_of(s.in_face);
-  return w[0] * p[t[0]] + w[1] * p[t[1]] + w[2] * p[t[2]];
+  return w[0] * p[t[0]] + w[1] * period_.nearest(p[t[1]], p[t[0]]) +
+         w[2] * period_.nearest(p[t[2]], p[t[0]]);
 }
 
 GridPoint SiteTable::in_face(std::int32_t site, std::int32_t face) const {

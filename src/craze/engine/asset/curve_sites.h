@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/base/period.h"
 #include "craze/engine/asset/asset_topology.h"
 #include "craze/engine/asset/face_grid.h"
 #include "craze/surface_mesh.h"
@@ -37,8 +38,9 @@ struct EdgeSite {
 /// faces stay as they are. The asset must outlive this.
 class SiteTable {
  public:
-  /// snap: length.
-  SiteTable(const SurfaceMesh& asset, const AssetTopology& topology, double snap);
+  /// snap: length. period: of the asset.
+  SiteTable(const SurfaceMesh& asset, const AssetTopology& topology, double snap,
+            const Period& period = {});
 
   std::int32_t at_place(std::int32_t place);
   /// The point of halfedge h at share s of it, 0 … 1.
@@ -53,6 +55,7 @@ class SiteTable {
   std::int32_t count() const { return static_cast<std::int32_t>(sites_.size()); }
   const Site& operator[](std::int32_t site) const { return sites_[site]; }
   Vec3 position(std::int32_t site) const { return position(site, asset_.positions); }
+  const Period& period() const { return period_; }
   /// With the asset's places elsewhere, #V.
   Vec3 position(std::int32_t site, const std::vector<Vec3>& places) const;
   /// Those inside an edge, from its lower place up.
@@ -85,6 +88,7 @@ class SiteTable {
   const SurfaceMesh& asset_;
   const AssetTopology& topology_;
   double snap_;
+  Period period_;
   double rounding_ = 0;  // what positions are rounded to, length
   std::vector<Site> sites_;
   std::vector<std::int32_t> of_place_;  // #V: its site or −1

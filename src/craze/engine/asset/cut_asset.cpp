@@ -42,19 +42,20 @@ double mean_chord(const CrackCurves& curves, const std::vector<std::int32_t>& po
                   const SiteTable& sites, const std::vector<Vec3>& places) {
   double sum = 0;
   for (const auto& [a, b] : curves.edges) {
-    sum += (sites.position(points[a], places) - sites.position(points[b], places)).norm();
+    const Vec3 chord = sites.position(points[a], places) - sites.position(points[b], places);
+    sum += sites.period().shortest(chord).norm();
   }
   return curves.edges.empty() ? 0 : sum / static_cast<double>(curves.edges.size());
 }
 
 /// `positions`: those of cut on the surface where the curves are straight.
 void find_edges(CutAsset& cut, const CrackCurves& curves, const std::vector<Vec3>& positions,
-                const std::vector<CurveLine>& lines, const LineSides& sides) {
+                const Period& period, const std::vector<CurveLine>& lines, const LineSides& sides) {
   // How far along the curve edge's chord a vertex lies.
   const auto along = [&](const std::array<std::int32_t, 2>& ends, std::int32_t v) {
     const Vec3& a = positions[cut.point_vertex[ends[0]]];
     const Vec3& b = positions[cut.point_vertex[ends[1]]];
-    return (positions[v] - a).dot(b - a);
+    return period.shortest(positions[v] - a).dot(period.shortest(b - a));
   };
   std::vector<double> start(lines.size());  // of each edge, along its curve edge
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -87,7 +88,7 @@ void find_edges(CutAsset& cut, const CrackCurves& curves, const std::vector<Vec3
 CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
                    const CrackCurves& curves, const CutOptions& options, const Context& context) {
   check(asset, curves);
-  SiteTable sites(asset, topology, options.snap);
+  SiteTable sites(asset, topology, options.snap, options.period);
   std::vector<std::int32_t> points;
   for (const SurfacePoint& p : curves.points) points.push_back(sites.at(p));
   const SurfaceMesh& straight = options.straight_on ? *options.straight_on : asset;
@@ -134,7 +135,10 @@ CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
   cut.new_vertices = std::move(refined.new_vertices);
   cut.face_source = std::move(refined.face_source);
   cut.parts = std::move(refined.parts);
-  find_edges(cut, curves, positions_on(cut, asset, straight.positions), refined.lines, sides);
+  find_edges(
+      cut, curves,
+      options.period.is_given() ? cut.positions : positions_on(cut, asset, straight.positions),
+      options.period, refined.lines, sides);
   return cut;
 }
 

@@ -18,6 +18,7 @@ struct CutOptions {
   /// The asset with its vertices on the surface where the curves are straight, such as one without
   /// its bumps; null: the asset itself.
   const SurfaceMesh* straight_on = nullptr;
+  Period period = {};  ///< of the asset, which is flat then
 };
 
 /// An edge that the cut opened.

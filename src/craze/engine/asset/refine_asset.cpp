@@ -148,8 +148,9 @@ class Refiner {
       }
     }
     const Triangle& t = asset_.triangles[f];
-    const Vec3 e = asset_.positions[t[1]] - asset_.positions[t[0]],
-               g = asset_.positions[t[2]] - asset_.positions[t[0]];
+    const Period& period = sites_.period();
+    const Vec3 e = period.shortest(asset_.positions[t[1]] - asset_.positions[t[0]]),
+               g = period.shortest(asset_.positions[t[2]] - asset_.positions[t[0]]);
     drawing_.metric = {e.dot(e), e.dot(g), g.dot(g)};
     const double longest = std::sqrt(std::max({e.dot(e), g.dot(g), (g - e).squaredNorm()}));
     const double share = longest > 0 ? snap_ / longest * grid : 0;
@@ -167,12 +168,13 @@ class Refiner {
   Vec3 triangulate(std::int32_t f) {
     triangulator_.run(drawing_);
     const Triangle& t = asset_.triangles[f];
-    const Vec3 &a = asset_.positions[t[0]], &b = asset_.positions[t[1]],
-               &c = asset_.positions[t[2]];
+    const Period& period = sites_.period();
+    const Vec3 &a = asset_.positions[t[0]], b = period.nearest(asset_.positions[t[1]], a),
+               c = period.nearest(asset_.positions[t[2]], a);
     place_.clear();
     for (std::size_t p = 0; p < triangulator_.points().size(); ++p) {
       if (p < site_of_.size()) {
-        place_.push_back(sites_.position(site_of_[p]));
+        place_.push_back(period.nearest(sites_.position(site_of_[p]), a));
       } else {
         const Vec3 w = weights_of(triangulator_.points()[p]);
         place_.emplace_back(w[0] * a + w[1] * b + w[2] * c);

@@ -12,7 +12,9 @@ constexpr std::size_t most_faces = 512;
 
 SheetSearch::Place SheetSearch::nearest_in(const Vec3& p, std::int32_t face) const {
   const Triangle& t = asset_.triangles[face];
-  const Vec3 &a = asset_.positions[t[0]], &b = asset_.positions[t[1]], &c = asset_.positions[t[2]];
+  const Vec3 a = period_.nearest(asset_.positions[t[0]], p),
+             b = period_.nearest(asset_.positions[t[1]], p),
+             c = period_.nearest(asset_.positions[t[2]], p);
   const Vec3 w = nearest_weights(p, a, b, c);
   if (!w.allFinite()) return {{face, Vec3(1, 0, 0)}, (a - p).norm()};  // a face without area
   return {{face, w}, (w[0] * a + w[1] * b + w[2] * c - p).norm()};

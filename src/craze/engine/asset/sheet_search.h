@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/base/period.h"
 #include "craze/engine/asset/asset_topology.h"
 #include "craze/engine/asset/curve_sites.h"
 #include "craze/surface_mesh.h"
@@ -14,8 +15,8 @@ namespace craze {
 /// stays on its side however near the other one is. The asset must outlive this.
 class SheetSearch {
  public:
-  SheetSearch(const SurfaceMesh& asset, const AssetTopology& topology)
-      : asset_(asset), topology_(topology), seen_(asset.triangles.size(), 0) {}
+  SheetSearch(const SurfaceMesh& asset, const AssetTopology& topology, const Period& period = {})
+      : asset_(asset), topology_(topology), period_(period), seen_(asset.triangles.size(), 0) {}
 
   /// The point nearest to p among those that a walk from face `start` reaches: downhill, then over
   /// all faces joined to the place found that reach into the ball up to it, at most 512.
@@ -33,6 +34,7 @@ class SheetSearch {
 
   const SurfaceMesh& asset_;
   const AssetTopology& topology_;
+  Period period_;
   std::vector<std::int32_t> seen_;  // #F: the search that last came by
   std::int32_t search_ = 0;
   std::vector<std::int32_t> queue_;

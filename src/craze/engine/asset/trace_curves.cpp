@@ -27,7 +27,7 @@ CurveTracer::CurveTracer(const SurfaceMesh& asset, const AssetTopology& topology
 Vec3 CurveTracer::area_normal(std::int32_t face) const {
   const Triangle& t = asset_.triangles[face];
   const Vec3& p = asset_.positions[t[0]];
-  return (asset_.positions[t[1]] - p).cross(asset_.positions[t[2]] - p);
+  return way(p, asset_.positions[t[1]]).cross(way(p, asset_.positions[t[2]]));
 }
 
 Vec3 CurveTracer::normal(std::int32_t site) const {
@@ -49,15 +49,16 @@ void CurveTracer::trace(std::int32_t from, std::int32_t to, std::int32_t curve_e
     return;
   }
   const std::size_t before = pieces.size();
-  const double chord = (place_of(to) - place_of(from)).norm();
+  const double chord = way(place_of(from), place_of(to)).norm();
   const Vec3 a = normal(from), b = normal(to);
   const double walked = walk(from, to, a + b, curve_edge, pieces);
   if (walked <= direct_way * chord) return;
   const double most = longest_way * std::max(chord, usual_chord_);
-  const SurfaceWay way = shortest_way_.find(from, to, std::min(walked, most));
-  if (way.last_face >= 0) {
+  SurfaceWay shortest;
+  if (!sites_.period().is_given()) shortest = shortest_way_.find(from, to, std::min(walked, most));
+  if (shortest.last_face >= 0) {
     pieces.resize(before);
-    follow(way, from, to, curve_edge, pieces);
+    follow(shortest, from, to, curve_edge, pieces);
     ++report_.rerouted;
   } else if (std::isinf(walked)) {
     ++report_.lost;
@@ -80,7 +81,7 @@ void CurveTracer::follow(const SurfaceWay& way, std::int32_t from, std::int32_t 
 double CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
                          std::int32_t curve_edge, std::vector<CurvePiece>& pieces) {
   const std::size_t before = pieces.size();
-  const Vec3 start = place_of(from), target = place_of(to);
+  const Vec3 start = place_of(from), target = sites_.period().nearest(place_of(to), start);
   const double most = longest_way * (target - start).norm();
   double length = 0;
   const auto fail = [&] {
@@ -92,12 +93,11 @@ double CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
   for (int step = 0; step < most_steps; ++step) {
     if (const std::int32_t f = sites_.common_face(site, to); f >= 0) {
       pieces.push_back({f, site, to, curve_edge});
-      return length + (target - place_of(site)).norm();
+      return length + way(place_of(site), target).norm();
     }
     if (step == 0 || sites_[site].kind == SiteKind::place) {  // a vertex may lie beside the plane
       origin = place_of(site);
-      const Vec3 way = (target - origin).stableNormalized();
-      across = normal.stableNormalized().cross(way);
+      across = normal.stableNormalized().cross(way(origin, target).stableNormalized());
       if (across.norm() < least_slope) return fail();
     } else if (topology_.sides(sites_[site].where).size() != 2) {
       return fail();
@@ -106,7 +106,7 @@ double CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
     if (next.face < 0) return fail();
     const std::int32_t reached = sites_.on_halfedge(next.halfedge, next.share);
     if (reached == site) return fail();
-    length += (place_of(reached) - place_of(site)).norm();
+    length += way(place_of(site), place_of(reached)).norm();
     if (length > most) return fail();
     pieces.push_back({next.face, site, reached, curve_edge});
     site = reached;
@@ -120,7 +120,7 @@ double CurveTracer::walk(std::int32_t from, std::int32_t to, const Vec3& normal,
 CurveTracer::Step CurveTracer::best_step(std::int32_t site, std::int32_t last_face,
                                          const Vec3& origin, const Vec3& across,
                                          const Vec3& target) const {
-  const Vec3 here = place_of(site), way = (target - here).stableNormalized();
+  const Vec3 here = place_of(site), ahead_of = way(here, target).stableNormalized();
   const Site& s = sites_[site];
   Step best;
   Step along;  // to the corner most straight ahead, where the plane holds an edge
@@ -128,13 +128,14 @@ CurveTracer::Step CurveTracer::best_step(std::int32_t site, std::int32_t last_fa
     if (f == last_face) return true;
     double height[3];
     for (int i = 0; i < 3; ++i) {
-      height[i] = across.dot(asset_.positions[topology_.from(3 * f + i)] - origin);
+      height[i] = across.dot(way(origin, asset_.positions[topology_.from(3 * f + i)]));
     }
     for (int i = 0; i < 3; ++i) {
       const std::int32_t h = 3 * f + i;
       const double a = height[i], b = height[(i + 1) % 3];
-      const Vec3 &pa = asset_.positions[topology_.from(h)], &pb = asset_.positions[topology_.to(h)];
-      const double straight = way.dot((pa - here).stableNormalized());
+      const Vec3 pa = sites_.period().nearest(asset_.positions[topology_.from(h)], here),
+                 pb = sites_.period().nearest(asset_.positions[topology_.to(h)], pa);
+      const double straight = ahead_of.dot((pa - here).stableNormalized());
       if (straight > along.ahead && pa != here) along = {f, h, 0, straight};
       const bool own = s.kind == SiteKind::place
                            ? topology_.from(h) == s.where || topology_.to(h) == s.where
@@ -142,7 +143,7 @@ CurveTracer::Step CurveTracer::best_step(std::int32_t site, std::int32_t last_fa
       if (own || topology_.edge(h) < 0 || (a > 0) == (b > 0)) continue;
       const double share = a / (a - b);
       const Vec3 x = pa + share * (pb - pa);
-      const double ahead = way.dot((x - here).stableNormalized());
+      const double ahead = ahead_of.dot((x - here).stableNormalized());
       if (ahead > best.ahead) best = {f, h, share, ahead};
     }
     return true;

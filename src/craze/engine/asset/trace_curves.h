@@ -42,7 +42,8 @@ class CurveTracer {
  public:
   /// The asset's vertices may lie elsewhere than for `sites`: on the surface where the curves are
   /// to be straight. usual_chord: the mean length of curve edges. No way is longer than four times
-  /// the chord, or than four times this where the chord is shorter.
+  /// the chord, or than four times this where the chord is shorter. Where the asset repeats it must
+  /// be flat: no shortest way is looked for.
   CurveTracer(const SurfaceMesh& asset, const AssetTopology& topology, SiteTable& sites,
               double usual_chord);
 
@@ -66,6 +67,8 @@ class CurveTracer {
   Step best_step(std::int32_t site, std::int32_t last_face, const Vec3& origin, const Vec3& across,
                  const Vec3& target) const;
   Vec3 place_of(std::int32_t site) const { return sites_.position(site, asset_.positions); }
+  /// From one place to another, the shortest.
+  Vec3 way(const Vec3& from, const Vec3& to) const { return sites_.period().shortest(to - from); }
   Vec3 area_normal(std::int32_t face) const;
   Vec3 normal(std::int32_t site) const;
 

@@ -7,9 +7,11 @@
 #include <numeric>
 #include <queue>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
+#include "craze/base/random.h"
 #include "craze/context.h"
 #include "craze/mesh/triangle_mesh.h"
 
@@ -35,8 +37,7 @@ class FaceSpread {
   FaceSpread(const TriangleMesh& mesh, Rules& rules)
       : mesh_(mesh),
         rules_(rules),
-        covered_(mesh.face_count(), std::numeric_limits<double>::infinity()),
-        last_(mesh.face_count(), -1) {}
+        covered_(mesh.face_count(), std::numeric_limits<double>::infinity()) {}
 
   void start(std::int32_t face, const Carried& thing) { send(0, face, {thing, -1}); }
 
@@ -78,17 +79,18 @@ class FaceSpread {
       return std::tie(p.distance, p.face, p.number) > std::tie(q.distance, q.face, q.number);
     }
   };
-  struct Accepted {
-    std::int32_t thing, previous;  ///< previous: the one accepted before on the same face
+  struct Scattered {
+    std::size_t operator()(std::uint64_t x) const { return static_cast<std::size_t>(hash_bits(x)); }
   };
 
+  std::uint64_t key(std::int32_t face, const Carried& thing) const {
+    return static_cast<std::uint64_t>(face) << 32 |
+           static_cast<std::uint32_t>(rules_.number(thing));
+  }
+
   bool takes(std::int32_t face, double distance, const Carried& thing) const {
-    if (!rules_.matters(face, distance, covered_[face], thing)) return false;
-    const std::int32_t number = rules_.number(thing);
-    for (std::int32_t i = last_[face]; i >= 0; i = accepted_[i].previous) {
-      if (accepted_[i].thing == number) return false;
-    }
-    return true;
+    return rules_.matters(face, distance, covered_[face], thing) &&
+           accepted_.count(key(face, thing)) == 0;
   }
 
   void send(double distance, std::int32_t face, const Traveller& traveller) {
@@ -105,8 +107,7 @@ class FaceSpread {
 
   void accept(const Arrival& arrival, const Traveller& traveller) {
     const std::int32_t f = arrival.face;
-    accepted_.push_back({rules_.number(traveller.thing), last_[f]});
-    last_[f] = static_cast<std::int32_t>(accepted_.size()) - 1;
+    accepted_.insert(key(f, traveller.thing));
     rules_.accept(f, traveller.thing);
     covered_[f] = std::min(covered_[f], rules_.farthest(f, traveller.thing));
     for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
@@ -127,9 +128,8 @@ class FaceSpread {
   std::vector<Traveller> pool_;     // of what is on its way
   std::vector<std::int32_t> free_;  // slots of the pool
   std::int64_t sent_ = 0;
-  std::vector<Accepted> accepted_;
+  std::unordered_set<std::uint64_t, Scattered> accepted_;  // by face and thing
   std::vector<double> covered_;
-  std::vector<std::int32_t> last_;  // per face: index into accepted_
   std::priority_queue<Arrival, std::vector<Arrival>, Later> queue_;
 };
 

@@ -18,6 +18,9 @@ constexpr double inside_margin = 1, border_margin = texels_followed + 2;
 /// map cannot show the cracks, faces need not see them all.
 constexpr double most_inside = 0.5, most_at_border = 2;
 constexpr std::size_t most_near = 32;  // lines that one texel is looked at for
+constexpr std::int32_t lines_of_block = 16;
+/// Boxes are farther than the lines in them by roundings only, which this is above.
+constexpr double above_rounding = 1 + 1e-9;
 
 }  // namespace
 
@@ -59,7 +62,29 @@ GrooveSampler::GrooveSampler(const MapSurface& maps, const MapFaces& faces,
     lines_.push_back({s.a, s.b - s.a, squared > 0 ? 1 / squared : 0, a, b, s.crack});
   }
   first_ = std::move(seen.first);
+  make_blocks(maps.surface.triangles.size());
   for (const double d : seen.farthest) farthest_ = std::max(farthest_, d);
+}
+
+double GrooveSampler::Block::squared_distance(const Vec2& p) const {
+  return (p - p.cwiseMax(low).cwiseMin(high)).squaredNorm();
+}
+
+void GrooveSampler::make_blocks(std::size_t faces) {
+  first_block_.push_back(0);
+  for (std::size_t f = 0; f < faces; ++f) {
+    for (std::int32_t i = first_[f]; i < first_[f + 1]; i += lines_of_block) {
+      Block block{lines_[i].a, lines_[i].a, 0, i, std::min(i + lines_of_block, first_[f + 1])};
+      for (std::int32_t k = block.first; k < block.last; ++k) {
+        const Line& line = lines_[k];
+        block.low = block.low.cwiseMin(line.a).cwiseMin(line.a + line.along);
+        block.high = block.high.cwiseMax(line.a).cwiseMax(line.a + line.along);
+        block.widest = std::max({block.widest, line.half_width_a, line.half_width_b});
+      }
+      blocks_.push_back(block);
+    }
+    first_block_.push_back(static_cast<std::int32_t>(blocks_.size()));
+  }
 }
 
 GrooveSampler::Foot GrooveSampler::foot(const Line& line, const Vec2& p) {
@@ -80,11 +105,15 @@ NearestCrack GrooveSampler::nearest(std::int32_t face, const Vec2& p) const {
   NearestCrack nearest{std::numeric_limits<double>::infinity(), -1, 0, Vec2::Zero()};
   double least = nearest.distance;
   const Line* line = nullptr;
-  for (std::int32_t i = first_[face]; i < first_[face + 1]; ++i) {
-    const double squared = squared_distance(lines_[i], p);
-    if (squared < least || (squared == least && line && lines_[i].crack < line->crack)) {
-      least = squared;
-      line = &lines_[i];
+  for (std::int32_t b = first_block_[face]; b < first_block_[face + 1]; ++b) {
+    const Block& block = blocks_[b];
+    if (block.squared_distance(p) > least * above_rounding) continue;
+    for (std::int32_t i = block.first; i < block.last; ++i) {
+      const double squared = squared_distance(lines_[i], p);
+      if (squared < least || (squared == least && line && lines_[i].crack < line->crack)) {
+        least = squared;
+        line = &lines_[i];
+      }
     }
   }
   if (!line) return nearest;
@@ -96,13 +125,29 @@ NearestCrack GrooveSampler::nearest(std::int32_t face, const Vec2& p) const {
 GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& texel) const {
   const double size = texel.col(0).norm() + texel.col(1).norm();
   std::array<const Line*, most_near> near;
+  std::array<double, most_near> above;  // the distance over the half width, of each
   std::size_t count = 0;
-  for (std::int32_t i = first_[face]; i < first_[face + 1] && count < most_near; ++i) {
-    const Line& line = lines_[i];
-    // The half width changes along the line, the more so where a tip tapers off.
-    const double widest = std::max(line.half_width_a, line.half_width_b);
-    if (widest > 0 && squared_distance(line, p) < (widest + size) * (widest + size)) {
-      near[count++] = &line;
+  for (std::int32_t b = first_block_[face]; b < first_block_[face + 1]; ++b) {
+    const Block& block = blocks_[b];
+    const double reach = block.widest + size;
+    if (block.squared_distance(p) > reach * reach * above_rounding) continue;
+    for (std::int32_t i = block.first; i < block.last; ++i) {
+      const Line& line = lines_[i];
+      // The half width changes along the line, the more so where a tip tapers off.
+      const double widest = std::max(line.half_width_a, line.half_width_b);
+      const double squared = squared_distance(line, p);
+      if (!(widest > 0 && squared < (widest + size) * (widest + size))) continue;
+      std::size_t slot = count;
+      const double over = std::sqrt(squared) - widest;
+      if (count < most_near) {
+        ++count;
+      } else {  // in place of the one that matters least
+        slot =
+            static_cast<std::size_t>(std::max_element(above.begin(), above.end()) - above.begin());
+        if (over >= above[slot]) continue;
+      }
+      near[slot] = &line;
+      above[slot] = over;
     }
   }
   GrooveMean sum;

@@ -70,11 +70,22 @@ class GrooveSampler {
     double along, distance, half_width;
     Vec2 away;  ///< from there to the point
   };
+  /// Lines of one face that follow each other, which most often are those of one crack.
+  struct Block {
+    Vec2 low, high;  ///< the box around them
+    double widest;   ///< of their half widths
+    std::int32_t first, last;
+
+    double squared_distance(const Vec2& p) const;
+  };
+  void make_blocks(std::size_t faces);
   static Foot foot(const Line& line, const Vec2& p);
   static double squared_distance(const Line& line, const Vec2& p);
 
   const GrooveSizes& sizes_;
-  std::vector<std::int32_t> first_;  // #F + 1, offsets into lines_
+  std::vector<std::int32_t> first_;        // #F + 1, offsets into lines_
+  std::vector<std::int32_t> first_block_;  // #F + 1, offsets into blocks_
+  std::vector<Block> blocks_;
   std::vector<Line> lines_;
   double farthest_ = 0;
 };

@@ -37,19 +37,19 @@ class TileGrid {
 
 /// The faces laid out, each around its first corner, which lies in the tile; vertices of the
 /// border come once for each image that faces need.
-void lay_out(const SurfaceMesh& mesh, const TileGrid& grid, MapSurface& maps) {
+void lay_out(const SurfaceMesh& mesh, const TileGrid& squares, MapSurface& maps) {
   using Image = std::array<double, 3>;  // vertex and place
   std::map<Image, std::int32_t> laid;
   SurfaceMesh& open = maps.surface;
   maps.joined = mesh.triangles;
   for (const Triangle& t : mesh.triangles) {
-    const Vec2 first = grid.uv(mesh.positions[t[0]]);
+    const Vec2 first = squares.uv(mesh.positions[t[0]]);
     Triangle face;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec2 uv = TileGrid::nearest(grid.uv(mesh.positions[t[i]]), first);
+      const Vec2 uv = TileGrid::nearest(squares.uv(mesh.positions[t[i]]), first);
       const auto next = static_cast<std::int32_t>(open.positions.size());
       const auto [at, is_new] = laid.insert({{static_cast<double>(t[i]), uv.x(), uv.y()}, next});
-      if (is_new) open.positions.push_back(grid.place(uv));
+      if (is_new) open.positions.push_back(squares.place(uv));
       face[i] = at->second;
       open.corner_uvs.push_back(uv);
       open.corner_normals.push_back(Vec3::UnitZ());
@@ -61,27 +61,27 @@ void lay_out(const SurfaceMesh& mesh, const TileGrid& grid, MapSurface& maps) {
 }  // namespace
 
 MapSurface tile_surface(const CrackedTile& tile) {
-  const TriangleMesh& cut = tile.simulation->mesh();
-  const TileGrid grid(cut.period().length);
+  const TriangleMesh& cut = tile.mesh();
+  const TileGrid squares(cut.period().length);
   MapSurface maps;
   maps.diagonal = bounding_diagonal({}, cut.period());
-  lay_out(tile.surface, grid, maps);
+  lay_out(tile.surface, squares, maps);
   for (std::int32_t f = 0; f < cut.face_count(); ++f) {
-    const std::int32_t face = cut.source_face(f);
+    const std::int32_t face = tile.source_face(f);
     MapPiece piece{face, tile.fragments.face[static_cast<std::size_t>(f)], {}};
     const Vec2& first = maps.surface.corner_uvs[3 * static_cast<std::size_t>(face)];
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int32_t v = cut.triangle(f)[i];
-      piece.uvs[i] = TileGrid::nearest(grid.uv(cut.position(v)), first);
+      piece.uvs[i] = TileGrid::nearest(squares.uv(cut.position(v)), first);
     }
     maps.pieces.push_back(piece);
   }
   maps.cracks = map_cracks(tile.network);
   for (MapCrack& crack : maps.cracks) {
     const Vec2& first = maps.surface.corner_uvs[3 * static_cast<std::size_t>(crack.face)];
-    const Vec2 a = TileGrid::nearest(grid.uv(crack.a), first);
-    crack.b = grid.place(TileGrid::nearest(grid.uv(crack.b), a));
-    crack.a = grid.place(a);
+    const Vec2 a = TileGrid::nearest(squares.uv(crack.a), first);
+    crack.b = squares.place(TileGrid::nearest(squares.uv(crack.b), a));
+    crack.a = squares.place(a);
   }
   return maps;
 }

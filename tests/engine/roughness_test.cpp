@@ -1,0 +1,378 @@
+// post.roughness: lines of cracks that are rough in themselves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "craze/engine.h"
+#include "craze/engine/cracked_surface.h"
+#include "craze/engine/roughness/crack_chains.h"
+#include "craze/engine/roughness/rough_network.h"
+#include "craze/engine/roughness/self_affine_profile.h"
+#include "craze/mesh/validate.h"
+#include "craze/presets.h"
+#include "craze/products.h"
+#include "craze/products/statistics/statistics.h"
+#include "craze/shapes.h"
+#include "recipe_with.h"
+
+namespace craze {
+namespace {
+
+const char* const plate = "plate?n=40&jitter=0.3";
+
+Result cracked(const std::string& shape, const std::vector<std::string>& settings,
+               int threads = 1) {
+  Recipe recipe = read_preset("mud");
+  recipe.simulation.layer.spacing = 0.14;
+  Context context;
+  context.threads = threads;
+  return crack({std::make_shared<SurfaceMesh>(make_shape(shape)), {}, shape},
+               recipe_with(settings, recipe), {}, context);
+}
+
+std::string number(double x) {
+  return std::to_string(x);
+}
+
+/// Sums of squared differences of the heights of lines over a chord, by lag.
+class StructureFunction {
+ public:
+  /// lag: over the length of the chord.
+  explicit StructureFunction(std::vector<double> lags)
+      : lags_(std::move(lags)), sum_(lags_.size(), 0), count_(lags_.size(), 0) {}
+
+  /// Points from end to end of one line, which runs nearly straight in the plane.
+  void add(const std::vector<Vec3>& line) {
+    const Vec3 chord = line.back() - line.front();
+    const Vec3 across = Vec3::UnitZ().cross(chord) / chord.norm();
+    std::vector<std::pair<double, double>> heights;  // by place on the chord
+    for (const Vec3& p : line) {
+      heights.emplace_back((p - line.front()).dot(chord) / chord.squaredNorm(),
+                           (p - line.front()).dot(across));
+    }
+    std::sort(heights.begin(), heights.end());
+    const auto height = [&](double x) {
+      const auto after =
+          std::upper_bound(heights.begin() + 1, heights.end() - 1, std::pair<double, double>{x, 0});
+      const auto before = after - 1;
+      const double step = after->first - before->first;
+      return step > 0
+                 ? before->second + (x - before->first) / step * (after->second - before->second)
+                 : before->second;
+    };
+    for (std::size_t k = 0; k < lags_.size(); ++k) {
+      for (double x = 0; x + lags_[k] <= 1; x += lags_[k] / 4) {
+        const double difference = height(x + lags_[k]) - height(x);
+        sum_[k] += difference * difference;
+        ++count_[k];
+      }
+    }
+  }
+
+  double rms(std::size_t k) const { return std::sqrt(sum_[k] / count_[k]); }
+
+  /// The slope of log rms against log lag, by least squares.
+  double exponent() const {
+    double x = 0, y = 0, xx = 0, xy = 0;
+    const auto n = static_cast<double>(lags_.size());
+    for (std::size_t k = 0; k < lags_.size(); ++k) {
+      const double a = std::log(lags_[k]), b = std::log(rms(k));
+      x += a / n;
+      y += b / n;
+      xx += a * a / n;
+      xy += a * b / n;
+    }
+    return (xy - x * y) / (xx - x * x);
+  }
+
+ private:
+  std::vector<double> lags_, sum_, count_;
+};
+
+/// From low to high, even in the logarithm.
+std::vector<double> lags(double low, double high) {
+  constexpr int count = 9;
+  std::vector<double> result;
+  for (int k = 0; k < count; ++k) {
+    result.push_back(low * std::pow(high / low, static_cast<double>(k) / (count - 1)));
+  }
+  return result;
+}
+
+/// The lines between junctions that are at least so long, as points.
+std::vector<std::vector<Vec3>> long_lines(const Result& result, double length) {
+  const CrackNetwork& network = result.state().network;
+  std::vector<std::vector<Vec3>> lines;
+  for (const CrackChain& chain : crack_chains(network)) {
+    const Vec3 chord = network.way(chain.nodes.front(), chain.nodes.back());
+    if (chord.norm() < length) continue;
+    std::vector<Vec3>& line = lines.emplace_back();
+    for (const std::int32_t n : chain.nodes) line.push_back(network.nodes[n].position);
+  }
+  return lines;
+}
+
+double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+/// Pairs of edges in the plane that cross, by their signs; edges that meet at a node do not.
+int crossings(const LineSet& lines) {
+  double cell = 0;
+  for (const auto& e : lines.edges) {
+    cell = std::max(cell, (lines.points[e[1]] - lines.points[e[0]]).norm());
+  }
+  std::map<std::array<long, 2>, std::vector<std::size_t>> cells;
+  for (std::size_t e = 0; e < lines.edges.size(); ++e) {
+    const Vec3 &a = lines.points[lines.edges[e][0]], &b = lines.points[lines.edges[e][1]];
+    for (long x = std::lround(std::floor(std::min(a.x(), b.x()) / cell));
+         x <= std::lround(std::floor(std::max(a.x(), b.x()) / cell)); ++x) {
+      for (long y = std::lround(std::floor(std::min(a.y(), b.y()) / cell));
+           y <= std::lround(std::floor(std::max(a.y(), b.y()) / cell)); ++y) {
+        cells[{x, y}].push_back(e);
+      }
+    }
+  }
+  int count = 0;
+  const auto cross = [&](std::size_t i, std::size_t j) {
+    const auto &e = lines.edges[i], &f = lines.edges[j];
+    if (e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1]) return false;
+    const Vec3 &a = lines.points[e[0]], &b = lines.points[e[1]], &c = lines.points[f[0]],
+               &d = lines.points[f[1]];
+    return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+  };
+  for (const auto& entry : cells) {
+    const std::vector<std::size_t>& in = entry.second;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      for (std::size_t j = i + 1; j < in.size(); ++j) count += cross(in[i], in[j]) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+std::array<int, 3> node_counts(const Result& result) {
+  std::array<int, 3> counts{};  // tips, junctions, ends at the border
+  for (const CrackNode& node : result.state().network.nodes) {
+    counts[0] += node.kind == JunctionKind::end;
+    counts[1] += node.kind == JunctionKind::junction;
+    counts[2] += node.kind == JunctionKind::border;
+  }
+  return counts;
+}
+
+double tortuosity(const Result& result) {
+  StatisticsOptions options;
+  options.bootstrap.resamples = 0;
+  const CrackedSurface& state = result.state();
+  return compute_statistics(graph_from_network(state.network, state.mesh()), options)
+      .tortuosity.value;
+}
+
+TEST(SelfAffineProfile, HasTheMeanSquareDifferencesOfItsExponent) {
+  for (const double exponent : {0.05, 0.3, 0.5, 0.75, 0.9, 0.97}) {
+    for (const std::size_t lag : {1u, 8u, 64u}) {
+      double sum = 0, count = 0;
+      for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        const std::vector<double> h = self_affine_profile(10, exponent, Random(seed));
+        ASSERT_EQ(h.size(), 1025u);
+        ASSERT_EQ(h.front(), 0);
+        ASSERT_EQ(h.back(), 0);
+        for (std::size_t i = 0; i + lag < h.size(); ++i) {
+          sum += (h[i + lag] - h[i]) * (h[i + lag] - h[i]);
+          ++count;
+        }
+      }
+      const double expected = std::pow(static_cast<double>(lag) / 1024, exponent);
+      EXPECT_NEAR(std::sqrt(sum / count) / expected, 1, 0.06) << exponent << " " << lag;
+    }
+  }
+}
+
+TEST(SelfAffineProfile, KeepsItsSlowWavesWhereItGetsFiner) {
+  const std::vector<double> coarse = self_affine_profile(8, 0.75, Random(3)),
+                            fine = self_affine_profile(12, 0.75, Random(3));
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    EXPECT_NEAR(coarse[i], fine[16 * i], 4 * std::pow(1.0 / 256, 0.75));
+  }
+}
+
+TEST(Roughness, OfTheLinesHasTheExponentAskedForOverTwoDecades) {
+  // As much as leaves the lines flatter than 45 degrees, and above what they wind by themselves.
+  for (const auto& [exponent, amplitude] : {std::pair{0.5, 0.02}, {0.75, 0.05}, {0.9, 0.05}}) {
+    StructureFunction all(lags(0.001, 0.1));
+    for (const int seed : {1, 2, 3, 4}) {
+      // Tension along one axis: cracks from side to side, alongside each other.
+      const Result result = cracked(
+          plate, {"stress.uniform=0", "stress.tensor=[1, 0, 0, 0, 0, 0]", "layer.spacing=0.2",
+                  "seed=" + std::to_string(seed), "post.roughness=" + number(amplitude),
+                  "post.roughness_step=0.0003", "post.roughness_exponent=" + number(exponent)});
+      for (const std::vector<Vec3>& line : long_lines(result, 0.9)) all.add(line);
+    }
+    EXPECT_NEAR(all.exponent(), exponent, 0.05);
+  }
+}
+
+TEST(Roughness, IsAsMuchAsAskedForOverTheUsualLengthOfACrack) {
+  const Result smooth = cracked(plate, {});
+  const CrackNetwork& network = smooth.state().network;
+  const TriangleMesh& mesh = smooth.state().mesh();
+  const double usual = usual_length(crack_chains(network));
+  const RoughnessOptions options{0.01 * usual, 0.75, 0, 7};
+  const RoughNetwork rough = roughen(network, mesh, options, {});
+  double sum = 0, count = 0;
+  for (const CrackChain& chain : crack_chains(rough.network)) {
+    // How far each point was moved, to the left of the chain.
+    std::vector<double> moved;
+    for (std::size_t i = 0; i < chain.edges.size(); ++i) {
+      const SmoothPiece& piece = rough.pieces[chain.edges[i]];
+      const CrackEdge &edge = rough.network.edges[chain.edges[i]],
+                      &parent = network.edges[piece.edge];
+      const bool forward = edge.a == chain.nodes[i];
+      const Vec3 &a = network.nodes[parent.a].position, &b = network.nodes[parent.b].position;
+      const Vec3 before = a + piece.shares[forward ? 0 : 1] * (b - a);
+      const Vec3 by = rough.network.nodes[chain.nodes[i]].position - before;
+      moved.push_back((forward ? 1 : -1) * Vec3::UnitZ().cross(b - a).normalized().dot(by));
+    }
+    const std::size_t lag = moved.size() / 16;
+    const double expected = options.amplitude * std::pow(chain.length / 16 / usual, 0.75);
+    for (std::size_t i = 0; lag > 0 && i + lag < moved.size(); ++i) {
+      const double difference = (moved[i + lag] - moved[i]) / expected;
+      sum += difference * difference;
+      ++count;
+    }
+  }
+  EXPECT_NEAR(std::sqrt(sum / count), 1, 0.1);
+}
+
+TEST(Roughness, MakesTheCracksOfMudLongerThanTheirChords) {
+  const double smooth = tortuosity(cracked(plate, {}));
+  const double rough = tortuosity(cracked(plate, {"post.roughness=0.01"}));
+  EXPECT_LT(smooth, 1.01);
+  EXPECT_GT(rough, 1.02);
+  EXPECT_LT(rough, 1.2);
+}
+
+TEST(Roughness, LeavesJunctionsTipsAndFragmentsAsTheyAre) {
+  for (const char* const exponent : {"0.01", "0.3", "0.8", "0.99"}) {
+    const Result smooth = cracked(plate, {});
+    const Result rough =
+        cracked(plate, {"post.roughness=0.01", std::string("post.roughness_exponent=") + exponent});
+    EXPECT_EQ(node_counts(rough), node_counts(smooth)) << exponent;
+    EXPECT_EQ(rough.report().cracks.fragments, smooth.report().cracks.fragments) << exponent;
+  }
+}
+
+TEST(Roughness, NeverMakesLinesCross) {
+  for (const char* const amplitude : {"0.000000001", "0.002", "0.01", "0.05", "0.3", "1e6"}) {
+    for (const char* const seed : {"1", "2", "3"}) {
+      const Result rough =
+          cracked(plate, {std::string("post.roughness=") + amplitude, std::string("seed=") + seed});
+      EXPECT_EQ(crossings(crack_lines(rough)), 0) << amplitude;
+      EXPECT_EQ(validate(rough.state().mesh()), std::vector<std::string>()) << amplitude;
+      const SurfaceMesh flat = make_shape(plate);
+      EXPECT_NEAR(rough.state().mesh().total_area(),
+                  TriangleMesh(flat.positions, flat.triangles).total_area(), 1e-9);
+    }
+  }
+}
+
+TEST(Roughness, IsCutIntoTheAssetAndKeepsItsAreaAndItsPieces) {
+  for (const char* const amplitude : {"0.005", "0.02", "1e6"}) {
+    const Result smooth = cracked("cup?n=40", {"layer.spacing=0.3"});
+    const Result rough =
+        cracked("cup?n=40", {"layer.spacing=0.3", std::string("post.roughness=") + amplitude});
+    const SurfaceMesh cup = make_shape("cup?n=40");
+    const TriangleMesh& mesh = rough.state().mesh();
+    EXPECT_EQ(validate(mesh), std::vector<std::string>());
+    const double area = TriangleMesh(cup.positions, cup.triangles).total_area();
+    EXPECT_NEAR(mesh.total_area() / area, 1, 1e-9);
+    EXPECT_EQ(rough.report().cracks.fragments, smooth.report().cracks.fragments);
+    EXPECT_EQ(rough.report().carried.lost_pieces, 0);
+    EXPECT_EQ(node_counts(rough), node_counts(smooth)) << amplitude;
+  }
+}
+
+TEST(Roughness, GoesIntoTheSimulationsMeshWhereThatIsTheOutput) {
+  const Result rough =
+      cracked("cup?n=24", {"layer.spacing=0.3", "mesh.output=simulation", "post.roughness=0.01"});
+  const SurfaceMesh& grown = rough.state().surface;
+  const double area = TriangleMesh(grown.positions, grown.triangles).total_area();
+  EXPECT_NEAR(rough.state().mesh().total_area() / area, 1, 1e-9);
+  EXPECT_EQ(validate(rough.state().mesh()), std::vector<std::string>());
+  EXPECT_GT(rough.state().network.edges.size(),
+            4 * crack_network(*rough.state().simulation).edges.size());
+}
+
+TEST(Roughness, IsTheSameOnAnyNumberOfThreadsAndWhateverElseIsDoneAfterwards) {
+  const auto points = [](const Result& result) {
+    std::vector<double> flat;
+    for (const Vec3& p : crack_lines(result).points)
+      flat.insert(flat.end(), p.data(), p.data() + 3);
+    return flat;
+  };
+  const std::vector<double> one = points(cracked(plate, {"post.roughness=0.01"}));
+  EXPECT_EQ(points(cracked(plate, {"post.roughness=0.01"}, 4)), one);
+  EXPECT_EQ(points(cracked(plate, {"post.roughness=0.01", "post.gap=3", "post.wall=0.1"})), one);
+  EXPECT_NE(points(cracked(plate, {"post.roughness=0.01", "seed=99"})), one);
+}
+
+TEST(Roughness, OfZeroLeavesTheRunAsItIs) {
+  const Result smooth = cracked(plate, {});
+  const Result zero =
+      cracked(plate, {"post.roughness=0", "post.roughness_exponent=0.3", "post.roughness_step=1"});
+  EXPECT_EQ(smooth.state().mesh().triangles(), zero.state().mesh().triangles());
+  EXPECT_EQ(smooth.state().mesh().positions(), zero.state().mesh().positions());
+}
+
+TEST(Roughness, KeepsTheOpeningOfTheCrackThatItWas) {
+  const Result smooth = cracked(plate, {"post.gap_width=0.004"});
+  const Result rough = cracked(plate, {"post.gap_width=0.004", "post.roughness=0.005"});
+  const auto mean_width = [](const Result& result) {
+    const CrackNetwork& network = result.state().network;
+    double sum = 0;
+    for (const CrackEdge& e : network.edges) sum += e.width * network.length(e);
+    return sum / total_length(network);
+  };
+  EXPECT_NEAR(mean_width(rough) / mean_width(smooth), 1, 0.03);
+  const CrackedSurface& state = rough.state();
+  const std::vector<Vec3> u = state.displacements();
+  double apart = 0, length = 0;
+  for (const CrackEdge& e : state.network.edges) {
+    const std::int32_t h = e.side;
+    const double l = state.network.length(e);
+    length += l;
+    apart += l * (u[state.mesh().from(h)] + u[state.mesh().to(h)]).norm() / 2;
+  }
+  EXPECT_GT(apart / length, mean_width(smooth) / 4);
+}
+
+TEST(Roughness, LeavesRoomForTheGapThatTheSmoothCracksHave) {
+  const std::vector<std::string> gap = {"layer.spacing=0.25", "post.gap_width=0.02",
+                                        "post.wall=0.02", "post.roughness=0.006"};
+  const Result rough = cracked(plate, gap);
+  const Opening opening(rough, rough.report().recipe.post, {});
+  EXPECT_EQ(opening.warnings(), std::vector<std::string>());
+}
+
+TEST(Roughness, HasBoundedWorkWhateverIsAskedFor) {
+  const Result rough = cracked(plate, {"post.roughness=0.01", "post.roughness_step=0.0000000001"});
+  EXPECT_LE(rough.state().network.edges.size(), 4 * 262144u);
+  ASSERT_FALSE(rough.report().warnings.empty());
+  EXPECT_NE(rough.report().warnings.front().find("post.roughness_step"), std::string::npos);
+}
+
+TEST(Roughness, HeldBackBetweenCracksIsToldOf) {
+  const Result rough = cracked(plate, {"post.roughness=1000"});
+  ASSERT_FALSE(rough.report().warnings.empty());
+  EXPECT_NE(rough.report().warnings.front().find("post.roughness"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace craze
