@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "craze/model/crack_network.h"
+#include "craze/model/sources/correlated_noise.h"
 #include "error_message.h"
 #include "model/runs.h"
 
@@ -264,6 +265,45 @@ TEST(AFront, GoesOnWhereItWasStoppedAndStopsAtMaxCracks) {
   Simulation s = behind_a_front(few);
   EXPECT_EQ(s.run({}), StopReason::max_cracks);
   EXPECT_EQ(s.events(), 5);
+}
+
+/// Σ L cos 2θ / Σ L of an even layer, θ from x: 1 where all cracks run along x, −1 across it.
+double along_x(std::uint64_t seed, double front_speed) {
+  const TriangleMesh mesh = mesh_of("plate?n=48&jitter=0.3");
+  SimulationParameters p = layer();
+  p.material.relative_toughness = 0.15;
+  p.material.alpha = 0.85;
+  p.layer.screening_length = 0.07;
+  p.evolution.max_load = front_speed > 0 ? 100 : 1.2;
+  p.evolution.place_load = front_speed > 0 ? 0.95 : 0;
+  p.crack = {20, 60, NearVertex::slide, 0.2};
+  SimulationFields fields;
+  const std::vector<double> noise = face_noise(mesh, 0.035, Random(seed, 1), {});
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    fields.stress.push_back(to_world(Sym2::isotropic(1), tangent_frame(mesh, f)));
+    fields.toughness_scale.push_back(1 + 0.1 * std::max(-5.0, noise[f]));
+    if (front_speed > 0) fields.onset.push_back((0.5 + middle_x(mesh, f)) / front_speed);
+  }
+  Simulation s(mesh, fields, p, {});
+  s.run({});
+  double sum = 0, length = 0;
+  const CrackNetwork network = crack_network(s);
+  for (const CrackEdge& e : network.edges) {
+    const Vec3 way = network.nodes[e.b].position - network.nodes[e.a].position;
+    sum += (way.x() * way.x() - way.y() * way.y()) / way.norm();
+    length += way.norm();
+  }
+  return sum / length;
+}
+
+TEST(AFront, ThatIsNarrowerThanTheScreeningLengthCracksAnEvenLayerInRowsAlongIt) {
+  double behind_front = 0, without = 0;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    behind_front += along_x(seed, 0.028) / 3;
+    without += along_x(seed, 0) / 3;
+  }
+  EXPECT_LT(behind_front, -0.2);
+  EXPECT_GT(without, -0.15);
 }
 
 }  // namespace
