@@ -86,13 +86,24 @@ struct EvolutionParameters {
   std::int64_t relaxation_steps = 1;  ///< R
   std::int64_t cracks_per_step = 1;
   double max_load = 4;
-  double load_step = 0.02;      ///< relative; failures this close count as simultaneous
-  double residual = 0.05;       ///< force left on a node over the force at which it fails
-  std::int64_t max_cracks = 0;  ///< 0: no limit
-  std::int64_t cycles = 1;      ///< times the layer cracks; it heals in between
-  double healing = 0.3;         ///< strength across a healed crack over that around it
-  double scar_width = 0.3;      ///< of a healed crack's weakness, standard deviation over ℓ
-  double drift = 0;             ///< of junctions from cycle to cycle, over ℓ; 0: none
+  double load_step = 0.02;          ///< relative; failures this close count as simultaneous
+  double residual = 0.05;           ///< force left on a node over the force at which it fails
+  std::int64_t max_cracks = 0;      ///< 0: no limit
+  std::int64_t cycles = 1;          ///< times the layer cracks; it heals in between
+  double healing = 0.3;             ///< strength across a healed crack over that around it
+  double scar_width = 0.3;          ///< of a healed crack's weakness, standard deviation over ℓ
+  double drift = 0;                 ///< of junctions from cycle to cycle, over ℓ; 0: none
+  std::string onset_attribute;      ///< of the input: the load at which a place starts to be loaded
+  std::string onset_texture;        ///< grey image in UV space: black at once, white at max_load
+  Length onset_speed = 0;           ///< of a front behind which places start, per load; 0: none
+  Vec3 onset_point = Vec3::Zero();  ///< what the front comes from
+  Vec3 onset_direction = Vec3::Zero();  ///< of a plane front, instead; zero: the point
+  double place_load = 0;                ///< most load of a place by itself; 0: no limit of its own
+
+  /// The most that a place is loaded, whenever it starts.
+  double most_load() const {
+    return place_load > 0 && place_load < max_load ? place_load : max_load;
+  }
 };
 
 /// [boundary]

@@ -8,6 +8,7 @@
 #include "craze/error.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/junction_drift.h"
+#include "craze/model/relaxation/onset_loading.h"
 
 namespace craze {
 
@@ -36,6 +37,11 @@ bool has_no_stress(const SimulationFields& fields, const SimulationParameters& p
                      [](const Sym3& sigma) { return sigma.matrix().isZero(0); });
 }
 
+bool starts_too_late(const std::vector<double>& onset, double max_load) {
+  return !onset.empty() &&
+         std::all_of(onset.begin(), onset.end(), [&](double o) { return o >= max_load; });
+}
+
 void start(LastCycle& last, const SimulationSurface& surface,
            const SimulationParameters& parameters, const Textures& textures, HealedCracks healed,
            const Context& context) {
@@ -43,6 +49,8 @@ void start(LastCycle& last, const SimulationSurface& surface,
   TriangleMesh mesh(surface.mesh.positions, surface.mesh.triangles, surface.period);
   SimulationFields fields = initial_fields(surface, mesh, parameters, textures, context);
   last.unstressed = has_no_stress(fields, parameters);
+  last.staggered = is_staggered(fields.onset);
+  last.unloaded = starts_too_late(fields.onset, parameters.evolution.max_load);
   fields.healed = std::move(healed);
   // The cycle before makes room. Without it there is nothing to keep but this one: not stopped
   // here.

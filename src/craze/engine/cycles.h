@@ -16,6 +16,8 @@ struct LastCycle {
   StopReason reason = StopReason::max_cracks;
   PhaseTimes times;         ///< of all cycles together, seconds
   bool unstressed = false;  ///< no stress anywhere, now or later: nothing can crack
+  bool staggered = false;   ///< places start to be loaded apart from each other
+  bool unloaded = false;    ///< no place starts to be loaded before max_load: likewise
   double prepare = 0;       ///< seconds spent on fields and first criteria, of all cycles together
 };
 

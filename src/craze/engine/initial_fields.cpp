@@ -13,6 +13,7 @@
 #include "craze/model/sources/correlated_noise.h"
 #include "craze/model/sources/curvature.h"
 #include "craze/model/sources/input_fields.h"
+#include "craze/model/sources/onset.h"
 #include "craze/model/sources/painted_multiplier.h"
 #include "craze/model/sources/stress_sources.h"
 
@@ -156,6 +157,8 @@ SimulationFields initial_fields(const SimulationSurface& surface, const Triangle
   input.stress_texture = find_texture(textures, p.stress.texture, "stress.texture");
   input.material_texture = find_texture(textures, p.material.texture, "material.texture");
   input.layer_texture = find_texture(textures, p.layer.texture, "layer.texture");
+  input.onset_texture =
+      find_texture(textures, p.evolution.onset_texture, "evolution.onset_texture");
 
   SimulationFields fields;
   fields.stress =
@@ -169,6 +172,7 @@ SimulationFields initial_fields(const SimulationSurface& surface, const Triangle
       fields.growth.clear();
     }
   }
+  fields.onset = onset_per_face(mesh, p, input);
   fields.toughness_scale = toughness_scale(mesh, p, input, surface, context);
   fields.separation_scale = separation_scale(mesh, p, context);
   fields.adhesion_scale = adhesion_scale(mesh, p, input);

@@ -52,6 +52,12 @@ void add_run_warnings(Report& report, const LastCycle& last, const Simulation& s
         "nothing can crack (stress): it is zero everywhere; give stress.uniform, an impact or a "
         "painted stress that is not");
   }
+  if (last.unloaded) {
+    report.warnings.push_back(
+        "nothing can crack (evolution.max_load): no place starts to be loaded before it; give "
+        "more, "
+        "or less onset");
+  }
   if (!simulation.met_tolerance()) {
     report.warnings.push_back(
         "equilibrium was not always reached (evolution.residual): double precision ends before it; "
@@ -64,7 +70,7 @@ void add_run_warnings(Report& report, const LastCycle& last, const Simulation& s
         report.carried.lost_pieces, report.carried.lost_length,
         report.carried.lost_length + report.cracks.length));
   }
-  const bool whole = !report.recipe.simulation.where.is_given();
+  const bool whole = !report.recipe.simulation.where.is_given() && !last.staggered;
   if (whole && (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load)) {
     if (const auto warning = spacing_warning(report.recipe.simulation.layer, simulation.mesh(),
                                              report.cracks.fragments)) {

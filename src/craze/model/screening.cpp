@@ -23,7 +23,7 @@ double spacing_per_screening_length(const SimulationParameters& p) {
   constexpr double least_load = 1.05;
   // Measured, on plates of a hundred cells.
   constexpr double cell_per_strip = 0.66, scatter_effect = 0.5, healing_effect = 0.6;
-  const double load = std::max(p.evolution.max_load, least_load);
+  const double load = std::max(p.evolution.most_load(), least_load);
   // 2 arcosh(1 / (1 − 1/load))
   const double strip = 2 * elementary::log((load + std::sqrt(2 * load - 1)) / (load - 1));
   const double scattered = 1 - scatter_effect * p.material.scatter;

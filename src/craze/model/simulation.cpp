@@ -10,7 +10,9 @@
 
 #include "craze/base/parallel.h"
 #include "craze/error.h"
+#include "craze/model/failure/failure_criterion.h"
 #include "craze/model/failure/separation_tensor.h"
+#include "craze/model/relaxation/onset_loading.h"
 #include "craze/model/screening.h"
 
 namespace craze {
@@ -99,6 +101,7 @@ void check_sizes(const SimulationFields& fields, const TriangleMesh& mesh) {
   const auto faces = static_cast<std::size_t>(mesh.face_count());
   const auto vertices = static_cast<std::size_t>(mesh.vertex_count());
   check_size(fields.stress.size(), faces, "stress");
+  check_size(fields.onset.size(), faces, "onset");
   check_size(fields.growth.size(), faces, "growth");
   check_size(fields.toughness_scale.size(), faces, "toughness scale");
   check_size(fields.separation_scale.size(), faces, "separation scale");
@@ -108,8 +111,8 @@ void check_sizes(const SimulationFields& fields, const TriangleMesh& mesh) {
   check_size(fields.pinned.size(), vertices, "pinned");
 }
 
-/// The mesh under σ₀, with its held and pinned nodes. Throws Error(request) where a field's size is
-/// wrong or a stress out of range, and Cancelled.
+/// The mesh under σ₀, or unstressed where places start apart, with its held and pinned nodes.
+/// Throws Error(request) where a field's size is wrong or a stress out of range, and Cancelled.
 CrackedSheet stressed_sheet(TriangleMesh mesh, const SimulationFields& fields, Engine engine,
                             const Context& context) {
   check_sizes(fields, mesh);
@@ -124,11 +127,13 @@ CrackedSheet stressed_sheet(TriangleMesh mesh, const SimulationFields& fields, E
   for (std::size_t v = 0; v < fields.pinned.size(); ++v) {
     if (fields.pinned[v]) mesh.pin(static_cast<std::int32_t>(v));
   }
+  const bool apart = is_staggered(fields.onset);
   constexpr std::size_t grain = 1024;
   parallel_for(context.threads, fields.stress.size(), grain,
                [&](std::size_t begin, std::size_t end) {
                  for (std::size_t f = begin; f < end; ++f) {
                    check_stress(fields.stress[f]);
+                   if (apart) continue;
                    field.add_stress(mesh, static_cast<std::int32_t>(f), fields.stress[f]);
                  }
                });
@@ -138,11 +143,11 @@ CrackedSheet stressed_sheet(TriangleMesh mesh, const SimulationFields& fields, E
 }
 
 /// Area mean of √(½ Σ g²), force/length.
-double growth_tension(const TriangleMesh& mesh, const std::vector<Sym3>& growth) {
+double mean_size(const TriangleMesh& mesh, const std::vector<Sym3>& stress) {
   double sum = 0, area = 0;
-  for (std::size_t f = 0; f < growth.size(); ++f) {
+  for (std::size_t f = 0; f < stress.size(); ++f) {
     const double a = mesh.area(static_cast<std::int32_t>(f));
-    sum += a * std::sqrt(0.5) * growth[f].matrix().norm();
+    sum += a * std::sqrt(0.5) * stress[f].matrix().norm();
     area += a;
   }
   return area > 0 ? sum / area : 0;
@@ -159,10 +164,26 @@ double mean_tension(const CrackedSheet& sheet) {
   return area > 0 ? tension / area : 0;
 }
 
-InitialLoad initial_load(const CrackedSheet& sheet, std::vector<Sym3> growth) {
-  InitialLoad load{mean_tension(sheet), std::move(growth), 0};
-  load.growth_tension = growth_tension(sheet.mesh(), load.growth);
+/// What of the fields the loading needs is taken from them.
+InitialLoad initial_load(const CrackedSheet& sheet, SimulationFields& fields,
+                         const MaterialParameters& material) {
+  InitialLoad load;
+  load.tension = mean_tension(sheet);
+  load.growth = std::move(fields.growth);
+  load.growth_tension = mean_size(sheet.mesh(), load.growth);
+  load.onset = std::move(fields.onset);
+  if (!is_staggered(load.onset)) return load;
+  load.stress = std::move(fields.stress);
+  load.stress.resize(load.onset.size());
+  const double tension = mean_size(sheet.mesh(), load.stress);
+  if (tension > 0) load.failure_load = typical_failure_tension(sheet.mesh(), material) / tension;
   return load;
+}
+
+/// What the relaxation has to know: how far the stored field will be scaled.
+SimulationParameters up_to(double highest_load, SimulationParameters parameters) {
+  parameters.evolution.max_load = highest_load;
+  return parameters;
 }
 
 /// Refuses before it starts what would take hours without a crack: too many steps in a round, or of
@@ -210,8 +231,9 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
       fields_(std::move(fields)),
       // 1. Initialize the stress field according to heuristics and optionally evolve it.
       sheet_(stressed_sheet(std::move(mesh), fields_, running_engine(parameters_), context)),
-      loading_(make_loading(parameters_, initial_load(sheet_, std::move(fields_.growth)))),
-      relaxation_(make_relaxation(sheet_.mesh(), sheet_.field(), parameters_)),
+      loading_(make_loading(parameters_, initial_load(sheet_, fields_, parameters_.material))),
+      relaxation_(make_relaxation(sheet_.mesh(), sheet_.field(),
+                                  up_to(loading_->highest_load(), parameters_))),
       watch_(parameters_),
       // Twice the edges of the input: when as many pieces of crack are open, few are left whole.
       most_segments_(3 * std::int64_t{sheet_.mesh().face_count()} + 1000) {
@@ -375,6 +397,9 @@ void Simulation::run_on(const Vec3& start, const Vec3& normal, const CrackRules&
 void Simulation::evolve(const Context& context) {
   const Stopwatch watch(times_.relax);
   Heartbeat heartbeat(context, {"crack", -1, events_, mesh().face_count(), load()});
+  loading_->bring_up(sheet_.field(), mesh(), [&](std::int32_t v, double force) {
+    if (relaxation_->force_added(v, force)) changed_.push_back(v);
+  });
   // 3b.i Relaxation.
   relaxation_->relax(
       sheet_.field(), mesh(), loading_->load(), context.threads, [&] { return heartbeat.stops(); },

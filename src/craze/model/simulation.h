@@ -58,7 +58,8 @@ class Simulation {
   ///
   /// It ends: a pass opens at least one segment, of which there are at most most_segments_; or
   /// none, and stops as idle after a number of updates; of passes that update nothing there are no
-  /// more than nodes, each of which makes a node wait until its star or its stress has changed.
+  /// more than nodes, each of which makes a node wait until its star or its stress has changed, and
+  /// steps of an OnsetLoading, which are bounded.
   StopReason run(const Context& context, const OnOpened& on_opened = {});
 
   const TriangleMesh& mesh() const { return sheet_.mesh(); }
@@ -68,7 +69,8 @@ class Simulation {
   Sym3 separation(std::int32_t v) const;
   /// Eq. 8's residual of a node, force; zero but at tips that are about to run on by it.
   Sym3 residual(std::int32_t v) const { return watch_.residual(v); }
-  /// The load factor s (quasistatic), 1 before a load was sought; 1 (euler).
+  /// The load factor s from where all places start (quasistatic), 1 before a load was sought; 1
+  /// (euler, or where places start apart: then the field is the true one).
   double load_on_field() const { return loading_->load() > 0 ? loading_->load() : 1; }
   /// The accumulated virtual displacement u of a node at the load that was reached.
   Vec3 displacement(std::int32_t v) const { return load_on_field() * field().displacement(v); }
@@ -76,7 +78,8 @@ class Simulation {
   /// The time at which each crack label (TriangleMesh::crack_of) opened.
   std::vector<double> crack_times() const;
 
-  /// Load factor s (quasistatic); mean tension applied so far over the initial one (euler).
+  /// Load factor s (quasistatic), counted from 0 whenever places start; mean tension applied so far
+  /// over the initial one (euler).
   double load() const { return loading_->reported_load(); }
   /// What cracks are dated with: s (quasistatic), Δt times the relaxation steps taken (euler).
   double time() const { return loading_->time(); }

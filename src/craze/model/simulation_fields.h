@@ -13,11 +13,12 @@ namespace craze {
 /// One value per face of the mesh that the simulation starts with.
 /// Faces made later look their values up by TriangleMesh::source_face. Empty: not given.
 struct SimulationFields {
-  std::vector<Sym3> stress;              ///< σ₀, world axes, force/length
-  std::vector<Sym3> growth;              ///< added to σ per step besides the shrinkage
-  std::vector<double> toughness_scale;   ///< factor on τ and strength, ≥ 0; ∞: never fails
-  std::vector<double> separation_scale;  ///< factor on ς, ≥ 0 (Figs. 4 and 10)
-  std::vector<double> adhesion_scale;    ///< factor on κ, ≥ 0
+  std::vector<Sym3> stress;             ///< σ₀, world axes, force/length
+  std::vector<double> onset;            ///< load at which a face starts to be loaded, ≥ 0, or ∞
+  std::vector<Sym3> growth;             ///< added to σ per step besides the shrinkage
+  std::vector<double> toughness_scale;  ///< factor on τ and strength, ≥ 0; ∞: never fails
+  std::vector<double> separation_scale;       ///< factor on ς, ≥ 0 (Figs. 4 and 10)
+  std::vector<double> adhesion_scale;         ///< factor on κ, ≥ 0
   std::vector<PreferredDirection> preferred;  ///< which way cracks like to run (Fig. 2)
   std::vector<char> fixed;                    ///< per vertex: 1 where the surface is held
   HealedCracks healed;                        ///< weaknesses left by an earlier cycle

@@ -245,7 +245,27 @@ std::vector<Parameter> make_table() {
       .add("drift", &EvolutionParameters::drift, not_negative,
            {.help = "how far the junctions of healed cracks move from cycle to cycle, toward three "
                     "angles of 120 degrees, over the screening length; 0: they stay",
-            .source = "Goehring et al. 2010"});
+            .source = "Goehring et al. 2010"})
+      .add("onset_attribute", &EvolutionParameters::onset_attribute, any,
+           {.help = "name of a scalar attribute of the input: the load factor at which a place "
+                    "starts to be loaded, 0 or more (quasistatic)"})
+      .add("onset_texture", &EvolutionParameters::onset_texture, any,
+           {.help = "file of a grey picture in UV space, added to it: black starts at once, white "
+                    "at max_load, and so never"})
+      .add(
+          "onset_speed", &EvolutionParameters::onset_speed, not_negative,
+          {.help = "how far a front runs over the object while the load factor grows by 1; what it "
+                   "has passed starts to be loaded; 0: no front",
+           .unit = "length"})
+      .add("onset_point", &EvolutionParameters::onset_point, any,
+           {.help = "where the front comes from: it meets the place nearest to it at load 0",
+            .unit = "position"})
+      .add("onset_direction", &EvolutionParameters::onset_direction, any,
+           {.help = "instead of onset_point: which way a plane front runs, from the first place it "
+                    "meets; zero: from the point"})
+      .add("place_load", &EvolutionParameters::place_load, not_negative,
+           {.help = "load that a place takes from its onset on, at most, as what has dried shrinks "
+                    "no more; 0: all up to max_load (quasistatic)"});
 
   Section(
       t, "boundary.", [](auto& r, std::size_t) -> auto& { return r.simulation.boundary; })

@@ -14,6 +14,17 @@ CellGrid tip_grid(double process_zone) {
   return CellGrid(4 * process_zone);
 }
 
+// node_width() of a regular star is about the height of its triangles.
+constexpr double width_per_edge = 0.87;
+
+double edge_sum(const TriangleMesh& mesh) {
+  double edges = 0;
+  for (const Triangle& t : mesh.triangles()) {
+    for (int i = 0; i < 3; ++i) edges += mesh.way(t[(i + 1) % 3], t[i]).norm();
+  }
+  return edges;
+}
+
 }  // namespace
 
 bool is_crack_tip(const TriangleMesh& mesh, std::int32_t v) {
@@ -49,15 +60,13 @@ double node_width(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal) 
 
 double typical_failure_force(const TriangleMesh& mesh, const MaterialParameters& material) {
   if (material.criterion == Criterion::force) return material.toughness;
-  // node_width() of a regular star is about the height of its triangles.
-  constexpr double width_per_edge = 0.87;
-  double edges = 0;
-  for (const Triangle& t : mesh.triangles()) {
-    for (int i = 0; i < 3; ++i) {
-      edges += mesh.way(t[(i + 1) % 3], t[i]).norm();
-    }
-  }
-  return material.strength * width_per_edge * edges / (3 * std::max(1, mesh.face_count()));
+  return material.strength * width_per_edge * edge_sum(mesh) / (3 * std::max(1, mesh.face_count()));
+}
+
+double typical_failure_tension(const TriangleMesh& mesh, const MaterialParameters& material) {
+  if (material.criterion == Criterion::strength) return material.strength;
+  const double width = width_per_edge * edge_sum(mesh) / (3 * std::max(1, mesh.face_count()));
+  return width > 0 ? material.toughness / width : material.toughness;
 }
 
 FailureCriterion::FailureCriterion(const MaterialParameters& material, double process_zone)

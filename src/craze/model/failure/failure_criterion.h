@@ -31,6 +31,8 @@ double mean_tension_ahead(const TriangleMesh& mesh, const StressField& field, st
 
 /// The v⁺ at which a typical intact node fails, force: what a force is small or large against.
 double typical_failure_force(const TriangleMesh& mesh, const MaterialParameters& material);
+/// The tension under which such a node fails, force/length.
+double typical_failure_tension(const TriangleMesh& mesh, const MaterialParameters& material);
 
 /// Turns (v⁺, n̂⁺) of a node into a force threshold. Criterion "force": τ [IO06 §3.4]. Criterion
 /// "strength": an intact node fails at v⁺ = strength · w, a crack tip at v⁺ = toughness · √w, with

@@ -40,6 +40,16 @@ double Equilibrium::allow_drift(std::int32_t v, double force) {
   return allowed_[v];
 }
 
+bool Equilibrium::force_added(std::int32_t v, double force) {
+  if (v >= static_cast<std::int32_t>(drift_.size())) {
+    drift_.resize(v + 1, 0);
+    allowed_.resize(v + 1, 0);
+  }
+  drift_[v] += force;
+  pulled_.push_back(v);
+  return drift_[v] > allowed_[v];
+}
+
 void Equilibrium::release_memory() {
   stiffness_ = TangentStiffness(options_.adhesion);
   patches_ = {};
@@ -63,15 +73,19 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
   const double allowed = options_.tolerance * options_.tolerance;
   std::vector<std::int32_t> open;
   double largest = 0;
-  std::vector<double> residuals(changed.size());
-  parallel_for(threads, changed.size(), 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) residuals[i] = squared_residual(layer, changed[i]);
+  pulled_.insert(pulled_.end(), changed.begin(), changed.end());
+  std::sort(pulled_.begin(), pulled_.end());
+  pulled_.erase(std::unique(pulled_.begin(), pulled_.end()), pulled_.end());
+  std::vector<double> residuals(pulled_.size());
+  parallel_for(threads, pulled_.size(), 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) residuals[i] = squared_residual(layer, pulled_[i]);
   });
-  for (std::size_t i = 0; i < changed.size(); ++i) {
+  for (std::size_t i = 0; i < pulled_.size(); ++i) {
     if (!(residuals[i] > seed_part * allowed)) continue;
-    open.push_back(changed[i]);
+    open.push_back(pulled_[i]);
     largest = std::max(largest, residuals[i]);
   }
+  pulled_.clear();
   double best = std::numeric_limits<double>::infinity();
   int stalled = 0;
   double part = 1;  // of the tolerance

@@ -37,6 +37,10 @@ class Equilibrium {
   /// restore() reports it; at least by the tolerance. Returns what was granted.
   double allow_drift(std::int32_t v, double force);
 
+  /// Forces on v were changed from outside, by this much more at most, in sum over its elements:
+  /// restore() brings v into equilibrium too. Returns whether that is more than was allowed.
+  bool force_added(std::int32_t v, double force);
+
   /// Restores equilibrium after the stars of the nodes `changed` did, or anything else at them; all
   /// other nodes must be in equilibrium already. Appends to `moved` the nodes whose forces have
   /// changed by more than was allowed (allow_drift). A tolerance below the rounding of the forces
@@ -83,9 +87,10 @@ class Equilibrium {
       marks_;                        // #V each, −1: scratch, one for each solve under way
   std::vector<std::int32_t> group_;  // #V: the last group of patches applied together that read it
   std::int32_t groups_ = 0;
-  std::vector<std::int32_t> slot_;  // #V, −1: index in the patch being applied
-  std::vector<double> drift_;       // #V: how much the forces changed since drift was last allowed
-  std::vector<double> allowed_;     // #V: how much they may
+  std::vector<std::int32_t> pulled_;  // by force_added(), since restore()
+  std::vector<std::int32_t> slot_;    // #V, −1: index in the patch being applied
+  std::vector<double> drift_;    // #V: how much the forces changed since drift was last allowed
+  std::vector<double> allowed_;  // #V: how much they may
   bool met_tolerance_ = true;
   std::int64_t iterations_ = 0;
   std::int64_t element_updates_ = 0;

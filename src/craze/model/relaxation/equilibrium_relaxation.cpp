@@ -44,8 +44,7 @@ void EquilibriumRelaxation::relax(StressField& field, const TriangleMesh& mesh, 
   // Forces are stored at load 1, where nodes fail at failure_force_ / load: as the load grows, what
   // was close enough to equilibrium has to be brought closer.
   if (load >= accurate_up_to_) {
-    accurate_up_to_ =
-        load > 0 ? std::min(accuracy_step * load, 2 * parameters_.max_load) : parameters_.max_load;
+    accurate_up_to_ = load > 0 ? accuracy_step * load : parameters_.max_load;
     const double failure_force = failure_force_ / accurate_up_to_;
     equilibrium_.set_tolerance(parameters_.residual * failure_force);
     seeds_.resize(mesh.vertex_count());

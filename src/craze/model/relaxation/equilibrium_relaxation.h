@@ -19,6 +19,9 @@ class EquilibriumRelaxation : public Relaxation {
   double allow_drift(std::int32_t v, double force) override {
     return equilibrium_.allow_drift(v, force);
   }
+  bool force_added(std::int32_t v, double force) override {
+    return equilibrium_.force_added(v, force);
+  }
   void release_memory() override { equilibrium_.release_memory(); }
   bool at_rest() const override { return true; }
   bool met_tolerance() const override { return equilibrium_.met_tolerance(); }

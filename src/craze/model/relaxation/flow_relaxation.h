@@ -18,6 +18,8 @@ class FlowRelaxation : public Relaxation {
   void relax(StressField& field, const TriangleMesh& mesh, double load, const Threads& threads,
              const StopQuestion& stop, std::vector<std::int32_t>& changed) override;
   double allow_drift(std::int32_t v, double force) override { return flow_.allow_drift(v, force); }
+  // Whoever adds to the forces here names all nodes himself (GrowthLoading).
+  bool force_added(std::int32_t, double) override { return true; }
   double work_of_a_round() const override;
   bool at_rest() const override;
   double independence_distance() const override;

@@ -2,6 +2,7 @@
 
 #include "craze/model/relaxation/growth_loading.h"
 #include "craze/model/relaxation/load_factor.h"
+#include "craze/model/relaxation/onset_loading.h"
 #include "craze/model/relaxation/relaxation.h"
 
 namespace craze {
@@ -10,7 +11,11 @@ std::unique_ptr<Loading> make_loading(const SimulationParameters& parameters, In
   if (running_engine(parameters) == Engine::euler) {
     return std::make_unique<GrowthLoading>(parameters.evolution, std::move(initial));
   }
-  return std::make_unique<LoadFactor>(parameters.evolution);
+  if (is_staggered(initial.onset)) {
+    return std::make_unique<OnsetLoading>(parameters.evolution, std::move(initial));
+  }
+  return std::make_unique<LoadFactor>(parameters.evolution,
+                                      initial.onset.empty() ? 0 : initial.onset.front());
 }
 
 }  // namespace craze

@@ -1,6 +1,8 @@
 // How the load on the layer grows, and what cracks are dated with. One class per engine.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -8,6 +10,9 @@
 #include "craze/parameters.h"
 
 namespace craze {
+
+/// Told of a node whose forces were changed, in sum over its elements by this much more, at most.
+using OnAddedForce = std::function<void(std::int32_t node, double force)>;
 
 /// The stored stress field is the one at load 1; the true one is load() times it.
 class Loading {
@@ -17,6 +22,9 @@ class Loading {
   Loading(const Loading&) = delete;
   Loading& operator=(const Loading&) = delete;
 
+  /// Called before each relaxation: adds to the field what advance() has brought under load by
+  /// itself. Nothing where the load is a factor on all of it, or grow() adds it.
+  virtual void bring_up(StressField&, const TriangleMesh&, const OnAddedForce&) {}
   /// Called after each relaxation: adds what grows per step to the field, and keeps the time.
   /// Returns whether the field has changed, everywhere then.
   virtual bool grow(StressField& field, const TriangleMesh& mesh) = 0;
@@ -48,6 +56,9 @@ struct InitialLoad {
   double tension = 0;         ///< area mean of tr σ₀ / 2, force/length
   std::vector<Sym3> growth;   ///< per input face, added per step; or empty
   double growth_tension = 0;  ///< area mean of √(½ Σ g²) of growth: of c I in a face's plane, c
+  std::vector<double> onset;  ///< per input face, the load at which it starts; empty: 0
+  std::vector<Sym3> stress;   ///< per input face, σ₀ where places start apart; else empty
+  double failure_load = 1;    ///< the load under which a typical place fails
 };
 
 /// The loading of running_engine().

@@ -33,6 +33,9 @@ class Relaxation {
   /// Says that the forces on v may change by this much, in sum over its elements, before relax()
   /// has to name it. Returns what will be granted, from now on: 0 where every change is named.
   virtual double allow_drift(std::int32_t v, double force) = 0;
+  /// Says that the forces on v were changed by this much more, at most, in sum over its elements.
+  /// Returns whether that is more than is granted: then v has to be looked at again.
+  virtual bool force_added(std::int32_t v, double force) = 0;
   /// Gives back memory that only relax() needs, which makes it anew.
   virtual void release_memory() {}
 

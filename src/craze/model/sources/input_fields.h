@@ -20,6 +20,7 @@ struct InputFields {
   GreyImage stress_texture;      ///< stress.texture
   GreyImage material_texture;    ///< material.texture
   GreyImage layer_texture;       ///< layer.texture
+  GreyImage onset_texture;       ///< evolution.onset_texture
 };
 
 /// The attributes and UVs of a mesh. Vertex colours become the attributes color_r, color_g,
