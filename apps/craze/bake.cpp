@@ -3,8 +3,8 @@
 
 #include "app.h"
 #include "craze/job/load_surface.h"
+#include "craze/job/maps/write_maps.h"
 #include "craze/job/output_folder.h"
-#include "craze/job/write_maps.h"
 #include "map_options.h"
 #include "run_options.h"
 #include "terminal/error_line.h"

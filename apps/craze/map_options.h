@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "craze/job/write_maps.h"
+#include "craze/job/maps/write_maps.h"
 #include "craze/products/maps/crack_pictures.h"
 
 namespace craze::app {

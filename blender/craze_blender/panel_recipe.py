@@ -48,7 +48,8 @@ def to_property(row: dict[str, Any], value: Any) -> Any:
     if kind == "names":
         return ", ".join(value)
     if kind in {"real", "length"} and isinstance(row["default"], (int, float)):
-        return value
+        # A preset's "8%" stays the preset's as long as the number is not touched.
+        return row["default"] if isinstance(value, str) else value
     return value if isinstance(value, str) else json.dumps(value)
 
 

@@ -7,7 +7,7 @@
 #include "craze/io/lines/write_lines.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/growth_frames.h"
-#include "craze/job/mapped_output.h"
+#include "craze/job/maps/mapped_output.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/output/write_surface.h"
 #include "craze/products/crack_lines.h"

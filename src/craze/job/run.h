@@ -6,7 +6,7 @@
 #include <string>
 
 #include "craze/context.h"
-#include "craze/job/write_maps.h"
+#include "craze/job/maps/write_maps.h"
 #include "craze/products/maps/crack_pictures.h"
 #include "craze/recipe.h"
 #include "craze/render/picture.h"

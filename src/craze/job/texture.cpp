@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "craze/error.h"
-#include "craze/job/map_files.h"
+#include "craze/job/maps/map_files.h"
 #include "craze/job/output_folder.h"
 #include "craze/job/tile_look.h"
 #include "craze/job/tile_preview.h"

@@ -5,7 +5,7 @@
 
 #include "craze/context.h"
 #include "craze/engine/tile.h"
-#include "craze/job/write_maps.h"
+#include "craze/job/maps/write_maps.h"
 #include "craze/recipe.h"
 #include "craze/report.h"
 

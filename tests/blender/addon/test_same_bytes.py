@@ -94,8 +94,9 @@ class SameBytes(unittest.TestCase):
             with self.subTest(preset=preset):
                 panel = bpy.context.scene.craze
                 panel.preset = preset
-                for key in ("post_gap", "post_wall", "post_curl"):
-                    setattr(panel.keys, key, 0.0)
+                for name in ("gap", "wall", "curl"):
+                    own = table.PRESETS[preset]["post"][name]
+                    setattr(panel.keys, f"post_{name}", own)
                 panel.keys.seed = 1
                 self.assertEqual(panel_recipe.recipe_of(panel, list), table.PRESETS[preset])
 

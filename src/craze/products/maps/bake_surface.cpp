@@ -8,9 +8,9 @@
 
 #include "craze/error.h"
 #include "craze/mesh/triangle_mesh.h"
+#include "craze/mesh/uv_islands.h"
 #include "craze/model/sources/curvature.h"
 #include "craze/products/maps/bake_sheet.h"
-#include "craze/mesh/uv_islands.h"
 
 namespace craze {
 

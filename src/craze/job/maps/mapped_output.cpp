@@ -1,4 +1,4 @@
-#include "craze/job/mapped_output.h"
+#include "craze/job/maps/mapped_output.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/gltf/scene/scene_pictures.h"
 #include "craze/io/source_scene.h"
-#include "craze/job/made_uvs.h"
+#include "craze/job/maps/made_uvs.h"
 #include "craze/maps.h"
 #include "craze/products/maps/bake_surface.h"
 #include "craze/products/maps/corner_frames.h"

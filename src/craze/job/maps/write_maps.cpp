@@ -1,6 +1,6 @@
-#include "craze/job/write_maps.h"
+#include "craze/job/maps/write_maps.h"
 
-#include "craze/job/map_files.h"
+#include "craze/job/maps/map_files.h"
 
 namespace craze {
 

@@ -1,4 +1,4 @@
-#include "craze/job/map_files.h"
+#include "craze/job/maps/map_files.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 
 #include "craze/context.h"
 #include "craze/io/image/row_image.h"
-#include "craze/job/write_maps.h"
+#include "craze/job/maps/write_maps.h"
 #include "craze/maps.h"
 
 namespace craze {

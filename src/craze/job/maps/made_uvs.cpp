@@ -1,4 +1,4 @@
-#include "craze/job/made_uvs.h"
+#include "craze/job/maps/made_uvs.h"
 
 #include <fmt/format.h>
 
