@@ -109,7 +109,7 @@ const TriangleMesh& OpenedSurface::base(const Result& result) const {
 
 OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes times,
                              const PostParameters& post, const Context& context) {
-  if (!(std::isfinite(post.thickness) && post.thickness >= 0)) {
+  if (const double thickness = post.thickness; !(std::isfinite(thickness) && thickness >= 0)) {
     throw Error(ErrorKind::request, "cannot open the cracks", "thickness",
                 "must be finite and not negative");
   }
