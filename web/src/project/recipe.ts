@@ -1,6 +1,9 @@
 // The recipe of a project as keys that differ from its preset: for the engine and for the command.
 import { layers, paintedLayers } from "../paint/layers";
 import type { Project } from "./project";
+import { presetTable } from "./tables";
+
+const opening = ["gap", "wall", "curl"] as const;
 
 /** Keys and values, as --set takes them, without [post]. */
 export function changedKeys(project: Project): [string, string][] {
@@ -18,13 +21,21 @@ export function changedKeys(project: Project): [string, string][] {
   return set;
 }
 
-function postKeys({ gap, wall, curl }: Project): [string, string][] {
-  const all: [string, number][] = [
-    ["post.gap", gap],
-    ["post.wall", wall],
-    ["post.curl", curl],
-  ];
-  return all.filter(([, value]) => value !== 0).map(([key, value]) => [key, String(value)]);
+function postKeys(project: Project): [string, string][] {
+  const own = presetTable[project.preset]!.recipe.post;
+  return opening
+    .filter((name) => project[name] !== own[name])
+    .map((name) => [`post.${name}`, String(project[name])]);
+}
+
+/** What changes with another preset: an opening that was the preset's own is the next one's. */
+export function ofPreset(project: Project, preset: string): Partial<Project> {
+  const old = presetTable[project.preset]!.recipe.post;
+  const change: Partial<Project> = { preset, spacing: null, load: null };
+  for (const name of opening) {
+    if (project[name] === old[name]) change[name] = presetTable[preset]!.recipe.post[name];
+  }
+  return change;
 }
 
 /** For a shell: as it is where nothing in it means something there. */

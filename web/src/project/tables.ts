@@ -12,6 +12,7 @@ interface PresetRecipe {
   layer: { spacing: number | string; relative_spacing: number };
   evolution: { max_load: number };
   picture: { material: string };
+  post: { gap: number; wall: number; curl: number };
 }
 
 export interface Preset {

@@ -1,5 +1,6 @@
 // The controls and what each of them changes.
-import type { Project } from "../project/project";
+import { firstProject, type Project } from "../project/project";
+import { ofPreset } from "../project/recipe";
 import { parameter, presetTable } from "../project/tables";
 import { button, checkbox, combobox, element, radioGroup, type Choice } from "./elements";
 import { pictureOf } from "./preset_pictures";
@@ -50,6 +51,7 @@ const formats: Choice[] = [
 
 export class Panel {
   readonly root = element("div", { class: "panel" });
+  private shown = firstProject;
   private readonly presets;
   private readonly paintGroup;
   private readonly shape;
@@ -90,7 +92,7 @@ export class Panel {
       picture: pictureOf(value),
     }));
     this.presets = radioGroup("Preset", choices, (preset) =>
-      actions.change({ preset, spacing: null, load: null }),
+      actions.change(ofPreset(this.shown, preset)),
     );
     this.shape = combobox("Shape", shapes, (specification) =>
       actions.change({ source: { kind: "shape", specification }, strokes: [], impacts: [] }),
@@ -99,7 +101,7 @@ export class Panel {
     this.load = slider("Load", "load", "evolution.max_load", 8);
     this.gap = slider("Gap", "gap", "post.gap", 0.2);
     this.wall = slider("Wall", "wall", "post.wall", 0.1);
-    this.curl = slider("Curl", "curl", "post.curl", 3);
+    this.curl = slider("Curl", "curl", "post.curl", 6);
     this.growth = new Slider({
       name: "Growth",
       low: 0,
@@ -182,6 +184,7 @@ export class Panel {
 
   /** `diagonal`: of the input, which lengths go by; `spacing`: what holds where none is set. */
   show(project: Project, diagonal: number, canUndo: boolean, canRedo: boolean): void {
+    this.shown = project;
     const recipe = presetTable[project.preset]!.recipe;
     this.presets.show(project.preset);
     if (project.source.kind === "shape") this.shape.select.value = project.source.specification;
