@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "craze/engine/initial_fields.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/failure/direction_bias.h"

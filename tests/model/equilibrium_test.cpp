@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/failure/failure_criterion.h"
 #include "craze/model/screening.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "craze/model/screening.h"
 #include "model/runs.h"
 
 namespace craze {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "craze/error.h"
-#include "craze/model/screening.h"
+#include "craze/mesh/bounding_diagonal.h"
 
 namespace craze {
 

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "craze/error.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/triangle_mesh.h"
-#include "craze/model/screening.h"
 #include "craze/model/sources/surface_distance.h"
 
 namespace craze {

@@ -10,6 +10,7 @@
 
 #include "craze/base/elementary.h"
 #include "craze/engine/initial_fields.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/components.h"
 #include "craze/model/screening.h"
 #include "craze/model/sources/crack_mask.h"

@@ -12,6 +12,7 @@
 #include "craze/engine/run_outcome.h"
 #include "craze/engine/spacing_rounds.h"
 #include "craze/error.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/shapes/periodic_square.h"
 #include "craze/model/screening.h"
 #include "craze/recipe/check_recipe.h"

@@ -1,16 +1,9 @@
 // Adhesion of the layer to what lies under it, and the length over which a crack unloads it.
 #pragma once
 
-#include <vector>
-
-#include "craze/base/period.h"
 #include "craze/parameters.h"
-#include "craze/tensor.h"
 
 namespace craze {
-
-/// Length of the diagonal of the box around some points, or of a period; 0 without any.
-double bounding_diagonal(const std::vector<Vec3>& positions, const Period& period = {});
 
 /// The parameters with everything relative made absolute, for an object of that diagonal:
 /// layer.spacing from relative_spacing, layer.screening_length ℓ from the spacing (at the load

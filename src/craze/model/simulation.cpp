@@ -10,6 +10,7 @@
 
 #include "craze/base/parallel.h"
 #include "craze/error.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/model/failure/failure_criterion.h"
 #include "craze/model/failure/separation_tensor.h"
 #include "craze/model/relaxation/onset_loading.h"

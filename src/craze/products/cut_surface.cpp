@@ -1,10 +1,10 @@
 #include "craze/products/cut_surface.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "craze/base/segment_distance.h"
 #include "craze/engine/cracked_surface.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/products/distance/nearby_cracks.h"
 
 namespace craze {
@@ -21,12 +21,6 @@ void set_attribute(std::vector<Attribute>& attributes, Attribute attribute) {
   attributes.push_back(std::move(attribute));
 }
 
-double box_diagonal(const std::vector<Vec3>& positions) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : positions) box.extend(p);
-  return positions.empty() ? 0 : box.diagonal().norm();
-}
-
 Attribute make(const char* name, int components, std::int32_t n, double value) {
   return {name, components, std::vector<double>(static_cast<std::size_t>(n) * components, value)};
 }
@@ -35,7 +29,7 @@ void add_nearest_crack(SurfaceMesh& surface, const CrackedSurface& state,
                        const GrowthTimes& growth_times, const Context& context) {
   const TriangleMesh& mesh = state.mesh();
   const std::vector<double> times = state.crack_times();
-  const double far = box_diagonal(mesh.positions());
+  const double far = bounding_diagonal(mesh.positions());
   const std::vector<std::int32_t>& sides = growth_times.sites.sides;
   Attribute distance = make("crack_distance", 1, mesh.vertex_count(), far);
   Attribute time = make("crack_time", 1, mesh.vertex_count(), -1);

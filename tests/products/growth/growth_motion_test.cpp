@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/self_intersection.h"
 #include "products/opening/real_runs.h"
 

@@ -14,6 +14,7 @@
 #include "craze/presets.h"
 #include "craze/shapes.h"
 #include "engine/tiles.h"
+#include "height_and_normal.h"
 
 namespace craze {
 namespace {
@@ -61,21 +62,7 @@ TEST(RoughMaps, MeasureTheDistanceToTheRoughLines) {
 
 TEST(RoughMaps, HaveTheGradientOfTheHeightAsTheirNormal) {
   const std::vector<Map> maps = maps_of(rough_plate(), {MapKind::height, MapKind::normal});
-  const std::vector<float>&h = maps[0].values, &colors = maps[1].values;
-  double worst = 0;
-  for (int y = 1; y + 1 < size; ++y) {
-    for (int x = 1; x + 1 < size; ++x) {
-      const auto i = static_cast<std::size_t>(y * size + x);
-      const Vec3 slope(-(h[i + 1] - h[i - 1]) * size / 2, -(h[i - size] - h[i + size]) * size / 2,
-                       1);
-      const Vec3 normal(2 * colors[3 * i] - 1, 2 * colors[3 * i + 1] - 1,
-                        2 * colors[3 * i + 2] - 1);
-      const double degrees =
-          std::asin(std::min(1.0, slope.normalized().cross(normal).norm())) * 180 / std::acos(-1.0);
-      worst = std::max(worst, degrees);
-    }
-  }
-  EXPECT_LT(worst, 1);
+  EXPECT_LT(test::largest_tilt(maps[0], maps[1], size), 1);
 }
 
 TEST(RoughMaps, OfATileHaveOneFragmentOnEachSideOfALine) {

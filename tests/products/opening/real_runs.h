@@ -4,6 +4,7 @@
 #include <string>
 
 #include "craze/engine/initial_fields.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/model/screening.h"
 #include "craze/model/simulation.h"
 #include "craze/presets.h"

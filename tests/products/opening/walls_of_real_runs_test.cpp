@@ -2,6 +2,7 @@
 // surfaces.
 #include <gtest/gtest.h>
 
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/self_intersection.h"
 #include "craze/products/opening/opening.h"
 #include "craze/products/opening/vertex_normals.h"

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "craze/error.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/mesh_summary.h"
 #include "craze/mesh/remesh/surface_source.h"
 #include "craze/mesh/repair/duplicate_faces.h"
@@ -62,16 +63,6 @@ void check_input(const SurfaceMesh& s) {
   for (const Attribute& a : s.face_attributes) {
     check_size(a.values.size(), a.components * faces, a.name);
   }
-}
-
-double diagonal_of(const std::vector<Vec3>& positions) {
-  if (positions.empty()) return 0;
-  Vec3 low = positions[0], high = positions[0];
-  for (const Vec3& p : positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).norm();
 }
 
 // The surface while it is being put in order: faces with neighbours, and what each came from.
@@ -316,7 +307,7 @@ TracedSurface traced_repair(const SurfaceMesh& input, const RepairOptions& optio
   check_input(input);
   report = {};
   TracedSurface made =
-      Workpiece(input, report, context).run(options.tolerance * diagonal_of(input.positions));
+      Workpiece(input, report, context).run(options.tolerance * bounding_diagonal(input.positions));
   const MeshSummary s = summarize(TriangleMesh(made.surface.positions, made.surface.triangles));
   report.components = s.components;
   report.boundary_loops = s.boundary_loops;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "craze/model/screening.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/products/maps/groove.h"
 
 namespace craze {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "craze/model/screening.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/products/maps/map_cracks.h"
 
 namespace craze {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,6 +9,7 @@
 
 #include "craze/engine/cracked_surface.h"
 #include "craze/error.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/transfer_attributes.h"
 #include "craze/products/opening/bend_refinement.h"
 #include "craze/products/opening/curl.h"
@@ -63,12 +63,6 @@ OpenedMesh unopened(const SurfaceMesh& cut) {
   std::iota(opened.face_of.begin(), opened.face_of.end(), 0);
   opened.beside = opened.face_of;
   return opened;
-}
-
-double bounding_diagonal(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : mesh.positions()) box.extend(p);
-  return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 /// Leaves the faces and vertices of `mesh`, which come first.
@@ -141,7 +135,9 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   if (post.thickness > 0) {
     // Shallow ones, which tell where rims in one plane would slide over each other.
     options.wall =
-        post.gap > 0 ? std::min<double>(post.thickness, probe_depth * bounding_diagonal(mesh)) : 0;
+        post.gap > 0
+            ? std::min<double>(post.thickness, probe_depth * bounding_diagonal(mesh.positions()))
+            : 0;
   }
   options.curl = post.curl;
   surface.opened = open_cracks(mesh, displacement, options, context);

@@ -1,13 +1,12 @@
 #include "craze/products/opening/opening_limit.h"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
-#include <queue>
 #include <utility>
 
 #include "craze/mesh/self_intersection.h"
 #include "craze/products/opening/curl.h"
+#include "craze/products/opening/spread_limit.h"
 #include "craze/products/opening/turned_faces.h"
 
 namespace craze {
@@ -142,35 +141,10 @@ class Limiter {
     return most;
   }
 
-  /// Makes the shares of a site the least of them, and lets no share grow faster along the surface
-  /// than over the taper, so that an opening narrows towards where it has no room, whatever the
-  /// triangles there. From the least share up (Dijkstra): each vertex is settled once.
+  /// No share grows faster along the surface than over the taper.
   void spread(std::vector<double>& share, double growth) const {
-    if (spacing_ == 0) return;                      // no cracks
-    using Entry = std::pair<double, std::int32_t>;  // share, vertex
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    for (std::size_t v = 0; v < share.size(); ++v) {
-      if (share[v] < 1) queue.emplace(share[v], static_cast<std::int32_t>(v));
-    }
-    const auto lower = [&](std::int32_t v, double most) {
-      if (share[v] <= most) return;
-      share[v] = most;
-      queue.emplace(most, v);
-    };
-    while (!queue.empty()) {
-      const double least = queue.top().first;
-      const std::int32_t v = queue.top().second;
-      queue.pop();
-      if (least > share[v]) continue;
-      if (const std::int32_t site = motion_.sites.site_of[v]; site >= 0) {
-        for (const std::int32_t u : on_site_[site]) lower(u, least);
-      }
-      mesh_.for_each_outgoing(v, [&](std::int32_t h) {
-        for (const std::int32_t u : {mesh_.to(h), mesh_.from(TriangleMesh::prev(h))}) {
-          lower(u, least + growth * (mesh_.position(u) - mesh_.position(v)).norm() / spacing_);
-        }
-      });
-    }
+    if (spacing_ == 0) return;  // no cracks
+    spread_limit(mesh_, motion_.sites, on_site_, 1, growth, spacing_, share);
   }
 
   Pairs crossings(const std::vector<Vec3>& positions) {

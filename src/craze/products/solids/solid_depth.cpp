@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <iterator>
-#include <queue>
-#include <utility>
 
 #include "craze/mesh/self_intersection.h"
+#include "craze/products/opening/spread_limit.h"
 #include "craze/products/solids/room_inside.h"
 
 namespace craze {
@@ -54,7 +52,7 @@ class DepthLimiter {
     for (int round = 0; round < rounds; ++round) {
       context_.report({"thicken", static_cast<double>(round) / rounds});
       context_.check();
-      spread(limit.depth);
+      spread_limit(mesh_, shape_.sites, on_site_, thickness_, growth, 1, limit.depth);
       limit.crossings = step(limit.depth);
       if (limit.crossings == 0) break;
     }
@@ -67,34 +65,6 @@ class DepthLimiter {
   }
 
  private:
-  /// From the least depth up (Dijkstra): each vertex is settled once.
-  void spread(std::vector<double>& depth) const {
-    using Entry = std::pair<double, std::int32_t>;  // depth, vertex
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    for (std::size_t v = 0; v < depth.size(); ++v) {
-      if (depth[v] < thickness_) queue.emplace(depth[v], static_cast<std::int32_t>(v));
-    }
-    const auto lower = [&](std::int32_t v, double most) {
-      if (depth[v] <= most) return;
-      depth[v] = most;
-      queue.emplace(most, v);
-    };
-    while (!queue.empty()) {
-      const double least = queue.top().first;
-      const std::int32_t v = queue.top().second;
-      queue.pop();
-      if (least > depth[v]) continue;
-      if (const std::int32_t site = shape_.sites.site_of[v]; site >= 0) {
-        for (const std::int32_t u : on_site_[site]) lower(u, least);
-      }
-      mesh_.for_each_outgoing(v, [&](std::int32_t h) {
-        for (const std::int32_t u : {mesh_.to(h), mesh_.from(TriangleMesh::prev(h))}) {
-          lower(u, least + growth * (mesh_.position(u) - mesh_.position(v)).norm());
-        }
-      });
-    }
-  }
-
   /// Takes back where it is too deep; how many pairs and faces said so.
   std::int32_t step(std::vector<double>& depth) {
     const std::vector<Vec3> positions = shape_.positions(depth);

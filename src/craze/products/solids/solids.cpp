@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/products/solids/shells.h"
 #include "craze/products/solids/solid_depth.h"
 #include "craze/products/solids/solid_shape.h"
@@ -12,16 +13,6 @@
 namespace craze {
 
 namespace {
-
-double diagonal(const std::vector<Vec3>& positions) {
-  if (positions.empty()) return 0;
-  Vec3 low = positions[0], high = positions[0];
-  for (const Vec3& p : positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).norm();
-}
 
 void append(const SolidTopology& topology, std::vector<Vec3> positions, OpenedMesh& opened) {
   const auto faces = static_cast<std::int32_t>(opened.mesh.triangles.size());
@@ -74,7 +65,7 @@ std::vector<std::string> make_solid(const TriangleMesh& mesh, const CrackSites& 
   const std::vector<double> clearance = largest_moves(mesh, sites, opened.mesh.positions);
   const SolidShape shape{mesh, sites, shells, opened.mesh.positions, outwards, clearance, topology};
   // Beyond the object's own size more thickness shows nothing more.
-  const double thickness = std::min(options.thickness, diagonal(mesh.positions()));
+  const double thickness = std::min(options.thickness, bounding_diagonal(mesh.positions()));
   const SolidDepth limit = limit_depth(shape, thickness, context);
   append(topology, shape.positions(limit.depth), opened);
   return warnings_of(limit, topology, options);
