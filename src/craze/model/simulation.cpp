@@ -239,6 +239,11 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
       // Twice the edges of the input: when as many pieces of crack are open, few are left whole.
       most_segments_(3 * std::int64_t{sheet_.mesh().face_count()} + 1000) {
   check_work(*loading_, *relaxation_);
+  // The sheet and the loading have these now.
+  fields_.stress = {};
+  fields_.adhesion_scale = {};
+  fields_.fixed = {};
+  fields_.pinned = {};
   // 2. Compute the failure criteria for each node and store them in a priority queue.
   constexpr std::int32_t slice = 1 << 16;
   const std::int32_t nodes = sheet_.mesh().vertex_count();
