@@ -88,9 +88,7 @@ const GltfBuilder::Placed* GltfBuilder::add_primitive(const Json& json,
                                                       const std::vector<double>& weights,
                                                       std::map<std::string, Placed>& placed) {
   const std::size_t mode = json_.index_or(json, "mode", triangles_mode);
-  if (mode < triangles_mode || mode > fan_mode) {
-    return nullptr;
-  }
+  if (mode < triangles_mode || mode > fan_mode || draws_cracks(json)) return nullptr;
   GltfPrimitive primitive(
       json, weights, accessors_, [this](std::size_t numbers) { spend(numbers); }, source_.name);
   if (!primitive.has("POSITION")) return nullptr;

@@ -13,6 +13,13 @@ namespace craze {
 /// The weights of a mesh's targets: the node's, which may be null, win over the mesh's.
 std::vector<double> morph_weights(const Json& mesh, const Json* node, const GltfJson& json);
 
+/// In a primitive's extras: its triangles draw cracks and are no surface.
+inline constexpr const char* crack_lines_mark = "crack_lines";
+inline bool draws_cracks(const Json& primitive) {
+  const auto extras = primitive.find("extras");
+  return extras != primitive.end() && extras->is_object() && extras->contains(crack_lines_mark);
+}
+
 /// Attributes by name, with the default weights of the targets applied.
 class GltfPrimitive {
  public:

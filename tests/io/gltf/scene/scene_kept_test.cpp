@@ -247,6 +247,9 @@ TEST(SceneKept, LinesLieBelowThePartsNodeAndMoveWithIt) {
   EXPECT_EQ(waving["skin"], 0);
   const Json& flag = after.primitive(waving["mesh"], 0);
   EXPECT_TRUE(flag["attributes"].contains("JOINTS_0"));
+  EXPECT_EQ(flag["mode"], 4) << "viewers move triangles by joints, and few of them lines";
+  EXPECT_EQ(after.floats(flag["attributes"]["POSITION"]).size() % 12, 0u) << "a band an edge";
+  EXPECT_EQ(flag["extras"]["crack_lines"], true) << "by which readers of ours leave it out";
   EXPECT_EQ(flag["targets"].size(), 1u);
   EXPECT_EQ(after.json["animations"][0]["channels"].size(), 3u);
   EXPECT_EQ(after.json["animations"][0]["channels"][2]["target"]["node"], nodes + 1);

@@ -1,12 +1,68 @@
 #include <map>
 
+#include "craze/io/gltf/gltf_primitive.h"
 #include "craze/io/gltf/scene/crack_primitives.h"
 
 namespace craze {
 
 namespace {
 
-constexpr int lines_mode = 1;
+constexpr int lines_mode = 1, triangles_mode = 4;
+/// Half the width of a band over the lift of a line: about half a pixel where the object fills a
+/// picture.
+constexpr double half_width = 3;
+
+struct LinePoints {
+  int mode = lines_mode;
+  std::vector<CutVertices::Vertex> points;
+  std::vector<Vec3> shifts;  ///< of points, in the scene
+  std::vector<std::uint32_t> indices;
+};
+
+/// The i-th corner of the triangle of a halfedge, as a vertex of its part.
+CutVertices::Vertex corner_of(const PrimitiveSource& source, std::int32_t halfedge, int i) {
+  const Triangle& t = source.cut.mesh().triangles[halfedge / 3];
+  return {source.cut.blend(source.place.part, halfedge / 3, i), t[static_cast<std::size_t>(i)]};
+}
+
+LinePoints edges(const PrimitiveSource& source, const std::vector<std::int32_t>& halfedges,
+                 const std::vector<Vec3>& lifts) {
+  LinePoints line;
+  std::map<std::pair<std::int32_t, std::array<std::uint32_t, 3>>, std::uint32_t> numbers;
+  for (const std::int32_t h : halfedges) {
+    for (const int i : {h % 3, (h + 1) % 3}) {
+      const CutVertices::Vertex corner = corner_of(source, h, i);
+      const auto [found, is_new] = numbers.try_emplace(
+          {corner.of, corner.blend.from}, static_cast<std::uint32_t>(line.points.size()));
+      line.indices.push_back(found->second);
+      if (!is_new) continue;
+      line.points.push_back(corner);
+      line.shifts.push_back(lifts[corner.of]);
+    }
+  }
+  return line;
+}
+
+/// Two triangles an edge: three.js and others move lines by no joints.
+LinePoints bands(const PrimitiveSource& source, const std::vector<std::int32_t>& halfedges,
+                 const std::vector<Vec3>& lifts) {
+  LinePoints line;
+  line.mode = triangles_mode;
+  const std::vector<Vec3>& positions = source.cut.mesh().positions;
+  for (const std::int32_t h : halfedges) {
+    const auto first = static_cast<std::uint32_t>(line.points.size());
+    const CutVertices::Vertex a = corner_of(source, h, h % 3),
+                              b = corner_of(source, h, (h + 1) % 3);
+    const Vec3 along = (positions[b.of] - positions[a.of]).stableNormalized();
+    for (const CutVertices::Vertex& end : {a, b}) {
+      const Vec3 aside = half_width * lifts[end.of].cross(along);
+      line.points.insert(line.points.end(), {end, end});
+      line.shifts.insert(line.shifts.end(), {lifts[end.of] - aside, lifts[end.of] + aside});
+    }
+    for (const std::uint32_t i : {0, 2, 1, 1, 2, 3}) line.indices.push_back(first + i);
+  }
+  return line;
+}
 
 bool is_of_lines(const std::string& name) {
   return name == "POSITION" || name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
@@ -46,29 +102,19 @@ void copy_weights(const Json& from, std::size_t targets, Json& to) {
 Json line_primitive(const PrimitiveSource& source, const std::vector<std::int32_t>& crack_edges,
                     const LineStyle& style, SceneOutput& output) {
   const auto& [cut, primitive, place, accessors] = source;
-  std::map<std::pair<std::int32_t, std::array<std::uint32_t, 3>>, std::uint32_t> numbers;
-  std::vector<CutVertices::Vertex> points;
-  std::vector<std::uint32_t> indices;
-  for (const std::int32_t h : crack_edges) {
-    for (const int i : {h % 3, (h + 1) % 3}) {
-      const std::int32_t v = cut.mesh().triangles[h / 3][static_cast<std::size_t>(i)];
-      const VertexBlend blend = cut.blend(place.part, h / 3, i);
-      const auto [found, is_new] =
-          numbers.try_emplace({v, blend.from}, static_cast<std::uint32_t>(points.size()));
-      if (is_new) points.push_back({blend, v});
-      indices.push_back(found->second);
-    }
-  }
+  const LinePoints line = place.part.skin ? bands(source, crack_edges, style.lifts)
+                                          : edges(source, crack_edges, style.lifts);
   PrimitiveVertices vertices(primitive, place, accessors, is_of_lines);
   const std::size_t old = vertices.count();
-  vertices.append(cut, points);
+  vertices.append(cut, line.points);
   vertices.drop(old);
   vertices.complete_targets();
-  for (std::size_t k = 0; k < points.size(); ++k) vertices.shift(k, style.lifts[points[k].of]);
-  Json made{{"mode", lines_mode},
+  for (std::size_t k = 0; k < line.points.size(); ++k) vertices.shift(k, line.shifts[k]);
+  Json made{{"mode", line.mode},
             {"attributes", vertices.write_attributes(output)},
-            {"indices", output.add_indices(indices, vertices.count(), 0)},
+            {"indices", output.add_indices(line.indices, vertices.count(), 0)},
             {"material", style.material}};
+  if (line.mode == triangles_mode) made["extras"][crack_lines_mark] = true;
   if (Json targets = vertices.write_targets(output); !targets.empty()) {
     made["targets"] = std::move(targets);
   }

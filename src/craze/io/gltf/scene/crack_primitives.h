@@ -33,7 +33,8 @@ struct LineStyle {
   std::size_t material = 0;
 };
 
-/// Halfedges 3f+i of the cut mesh as a primitive of lines that moves with the part.
+/// Halfedges 3f+i of the cut mesh as a primitive that moves with the part: of lines, or of bands of
+/// triangles where joints move it, by which few viewers move lines.
 Json line_primitive(const PrimitiveSource& source, const std::vector<std::int32_t>& crack_edges,
                     const LineStyle& style, SceneOutput& output);
 

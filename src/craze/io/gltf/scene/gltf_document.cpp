@@ -1,4 +1,5 @@
 #include "craze/io/gltf/scene/gltf_document.h"
+#include "craze/io/gltf/gltf_primitive.h"
 
 #include <algorithm>
 #include <set>
@@ -37,8 +38,8 @@ VertexData vertex_data(const Json& root) {
     for (const Json& primitive : mesh["primitives"]) {
       if (!primitive.contains("attributes")) continue;
       const auto mode = primitive.find("mode");
-      const bool is_loose = mode != primitive.end() && mode->is_number() && mode->get<double>() < 4;
-      if (is_loose) data.loose.push_back(mesh.value("name", ""));
+      const bool is_open = mode != primitive.end() && mode->is_number() && mode->get<double>() < 4;
+      if (is_open || draws_cracks(primitive)) data.loose.push_back(mesh.value("name", ""));
       each_key(primitive["attributes"], [&](const std::string& key) {
         if (key.starts_with("TEXCOORD_") && key != "TEXCOORD_0") data.uv_sets.insert(key);
         const bool further_color = key.starts_with("COLOR_") && key != "COLOR_0";
