@@ -3,6 +3,7 @@
 #include <httplib.h>
 #include <sys/socket.h>
 
+#include <atomic>
 #include <thread>
 
 #include "craze/error.h"
@@ -18,6 +19,7 @@ constexpr const char* loopback = "127.0.0.1";
 struct PageServer::State {
   httplib::Server server;
   int port = 0;
+  std::atomic<bool> ended = false;  ///< the thread listens no longer, or never did
   std::thread thread;
 };
 
@@ -43,12 +45,15 @@ PageServer::PageServer(const std::filesystem::path& folder, int port)
                 std::string(loopback) + ":" + std::to_string(port),
                 "the port is taken or not allowed; give another by --port, 0 for any that is free");
   }
-  state_->thread = std::thread([&server] { server.listen_after_bind(); });
+  state_->thread = std::thread([state = state_.get()] {
+    state->server.listen_after_bind();
+    state->ended = true;
+  });
 }
 
 PageServer::~PageServer() {
-  // stop() does nothing before the thread has come to listen.
-  while (!state_->server.is_running()) std::this_thread::yield();
+  // stop() does nothing before the thread has come to listen, which it may never do.
+  while (!state_->server.is_running() && !state_->ended) std::this_thread::yield();
   state_->server.stop();
   state_->thread.join();
 }

@@ -119,6 +119,13 @@ char* craze_job_recipe(const craze_job* job, craze_error* error) {
   });
 }
 
+char* craze_job_recipe_toml(const craze_job* job, craze_error* error) {
+  return guarded(error, [&] {
+    require(job, "job");
+    return copy_text(write_recipe(job->recipe));
+  });
+}
+
 craze_status craze_job_set_threads(craze_job* job, int threads, craze_error* error) {
   return guard(error, [&] {
     require(job, "job");

@@ -21,6 +21,15 @@ std::vector<MapKind> kinds_of(const char* names) {
   return kinds;
 }
 
+/// Throws Error(usage) where there is none.
+const Map& map_at(const craze_maps* maps, int64_t i) {
+  require(maps, "maps");
+  if (i < 0 || i >= static_cast<int64_t>(maps->maps.size())) {
+    wrong_argument("no such map", "i", "craze_maps_name() says which there are");
+  }
+  return maps->maps[static_cast<std::size_t>(i)];
+}
+
 }  // namespace
 
 craze_maps* craze_job_bake(const craze_job* job, int32_t size, const char* names, int32_t green_up,
@@ -53,15 +62,26 @@ const char* craze_maps_name(const craze_maps* maps, int64_t i) {
 craze_status craze_maps_array(const craze_maps* maps, int64_t i, craze_array* array,
                               craze_error* error) {
   return guard(error, [&] {
-    require(maps, "maps");
+    const Map& map = map_at(maps, i);
     require(array, "array");
-    if (i < 0 || i >= static_cast<int64_t>(maps->maps.size())) {
-      wrong_argument("no such map", "i", "craze_maps_name() says which there are");
-    }
-    const Map& map = maps->maps[static_cast<std::size_t>(i)];
     const int channels = map_info(map.header.kind).channels;
     *array = {map.values.data(), static_cast<int64_t>(map.values.size()) / channels, channels,
               CRAZE_FLOAT32};
+  });
+}
+
+craze_status craze_maps_range(const craze_maps* maps, int64_t i, double low[3], double high[3],
+                              craze_error* error) {
+  return guard(error, [&] {
+    const Map& map = map_at(maps, i);
+    require(low, "low");
+    require(high, "high");
+    const double largest = 65535;
+    const bool ids = map_info(map.header.kind).values == MapValues::id;  // stored as they are
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = ids ? 0 : map.header.low[k];
+      high[k] = ids ? largest : map.header.high[k];
+    }
   });
 }
 

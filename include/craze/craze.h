@@ -203,6 +203,8 @@ CRAZE_API craze_status craze_job_set(craze_job* job, const char* key, const char
                                      craze_error* error);
 /* JSON of the whole recipe as it is set. Free with craze_text_free. */
 CRAZE_API char* craze_job_recipe(const craze_job* job, craze_error* error);
+/* The same as TOML, which craze crack --recipe reads. Free with craze_text_free. */
+CRAZE_API char* craze_job_recipe_toml(const craze_job* job, craze_error* error);
 
 /* 0, the default: one per core. The result does not depend on it. */
 CRAZE_API craze_status craze_job_set_threads(craze_job* job, int threads, craze_error* error);
@@ -291,6 +293,10 @@ CRAZE_API const char* craze_maps_name(const craze_maps* maps, int64_t i);
 /* The i-th map: size * size rows, from the left and the top, of 1 or 3 columns, float32. */
 CRAZE_API craze_status craze_maps_array(const craze_maps* maps, int64_t i, craze_array* array,
                                         craze_error* error);
+/* What 0 and the largest number stand for where the i-th map is stored as whole numbers, for each of
+ * its columns: the ranges of craze crack --maps. */
+CRAZE_API craze_status craze_maps_range(const craze_maps* maps, int64_t i, double low[3],
+                                        double high[3], craze_error* error);
 /* What could not be done as asked, one sentence at a time; NULL beyond the last. */
 CRAZE_API const char* craze_maps_warning(const craze_maps* maps, int64_t i);
 

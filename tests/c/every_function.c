@@ -192,6 +192,7 @@ static void a_job_is_told_what_is_wrong(craze_job* job) {
   EXPECT_ERROR(craze_job_statistics(job, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_job_open(job, 1, 0, 0, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_job_recipe(NULL, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_recipe_toml(NULL, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_job_set_mesh(job, NULL, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_job_set_preset(job, "mudd", e), CRAZE_USAGE);
   EXPECT_ERROR(craze_job_set_preset(job, NULL, e), CRAZE_USAGE);
@@ -250,6 +251,14 @@ static void maps_are_baked(craze_job* job) {
   EXPECT_ERROR(craze_maps_array(maps, 2, &map, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_maps_array(maps, 0, NULL, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_maps_array(NULL, 0, &map, e), CRAZE_USAGE);
+  double low[3];
+  double high[3];
+  EXPECT(craze_maps_range(maps, 1, low, high, NULL) == CRAZE_OK);
+  EXPECT(low[2] == 0 && high[2] == 1);
+  EXPECT_ERROR(craze_maps_range(maps, 2, low, high, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_maps_range(maps, 0, NULL, high, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_maps_range(maps, 0, low, NULL, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_maps_range(NULL, 0, low, high, e), CRAZE_USAGE);
   craze_maps_free(maps);
   craze_maps_free(NULL);
   EXPECT_ERROR(craze_job_bake(job, 32, "mask,", 1, 0, 0, e), CRAZE_USAGE);
@@ -380,6 +389,7 @@ static void a_run_gives_what_it_should(void) {
   EXPECT(craze_job_set(job, "seed", "7", NULL) == CRAZE_OK);
   EXPECT(craze_job_set(job, "mesh.edge", "\"keep\"", NULL) == CRAZE_OK);
   a_text(craze_job_recipe(job, NULL), "\"seed\":7");
+  a_text(craze_job_recipe_toml(job, NULL), "seed = 7");
   EXPECT(craze_job_set_threads(job, 1, NULL) == CRAZE_OK);
   EXPECT(craze_job_set_max_cracks(job, 4, NULL) == CRAZE_OK);
   craze_job_set_progress(job, stop_at_once, NULL);

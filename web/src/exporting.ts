@@ -1,14 +1,19 @@
 // Everything that leaves the page as a file.
 import type { Engine } from "./engine/engine";
-import type { CrackRequest, OutputFile, Post } from "./engine/messages";
+import type { CrackRequest, OutputFile, Post, RecipeRequest } from "./engine/messages";
+import { zip } from "./files/zip";
 import { recordFilm } from "./scene/film";
 import type { Growth } from "./scene/growth";
 import type { Stage } from "./scene/stage";
+
+const mapSize = 1024; // texels a side, as craze crack --maps has it
 
 /** What is exported: a run's result, and how it is opened. */
 export interface Exported {
   request(): CrackRequest;
   post(): Post;
+  /** All of it, how it is opened too. */
+  recipe(): RecipeRequest;
 }
 
 export class Exporting {
@@ -19,12 +24,18 @@ export class Exporting {
     private readonly what: Exported,
   ) {}
 
-  /** `format` is the name of an extension, or painted.ply. Throws Error. */
+  /** `format` is the name of an extension, painted.ply or maps.zip. Throws Error. */
   async files(format: string): Promise<OutputFile[]> {
     const name = `cracked.${format}`;
     switch (format) {
       case "painted.ply":
         return this.engine.paintedInput(this.what.request(), format);
+      case "toml": {
+        const { toml } = await this.engine.recipe(this.what.recipe());
+        return [{ name: "recipe.toml", bytes: new TextEncoder().encode(toml) }];
+      }
+      case "maps.zip":
+        return [{ name: format, bytes: zip(await this.engine.maps(mapSize, this.what.post())) }];
       case "svg":
         return this.engine.writeLines(name);
       case "png":

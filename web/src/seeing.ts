@@ -3,8 +3,8 @@
 import type { Engine } from "./engine/engine";
 import type { Picture } from "./engine/messages";
 import { LoopDialog } from "./loop/loop_dialog";
+import { baseRecipe } from "./project/recipe";
 import type { Store } from "./project/store";
-import { presetTable } from "./project/tables";
 import type { Stage } from "./scene/stage";
 import { SeePanel, type View } from "./ui/see_panel";
 import { StatisticsPanel } from "./ui/statistics_panel";
@@ -40,8 +40,8 @@ export class Seeing {
 
   /** A result was opened; `anew`: it is of another run than the one before. */
   async show(picture: Picture, anew: boolean): Promise<void> {
-    const { preset } = this.store.project;
-    this.picture = { picture, material: presetTable[preset]!.recipe.picture.material };
+    const { picture: look } = baseRecipe(this.store.project);
+    this.picture = { picture, material: look.material };
     if (!anew) return;
     this.statistics.clear();
     await this.showHeat();

@@ -9,19 +9,24 @@ import { canvasOf, type Canvas } from "./paint/canvas";
 import { paintedAttributes } from "./paint/layers";
 import { Painting } from "./paint/painting";
 import { saveFile, saveProject } from "./project/autosave";
-import { projectOf, toHash } from "./project/link";
+import { ownRecipeOf, projectOf, toHash } from "./project/link";
 import { cracksOtherwise, opensOtherwise, type LayerName, type Project } from "./project/project";
 import type { Stroke } from "./project/project";
-import { changedKeys, commandLine } from "./project/recipe";
+import {
+  baseRecipe,
+  commandLine,
+  ofOwnRecipe,
+  recipeRequest,
+  wholeRecipe,
+} from "./project/recipe";
 import { Store } from "./project/store";
-import { presetTable } from "./project/tables";
 import { Growth } from "./scene/growth";
 import { Stage } from "./scene/stage";
 import { Seeing } from "./seeing";
 import { acceptDrops, chooseFile, download } from "./ui/hand_over";
 import { Panel, type Actions, type Paint } from "./ui/panel";
 
-const accepted = ".obj,.ply,.stl,.off,.glb,.craze";
+const accepted = ".obj,.ply,.stl,.off,.glb,.craze,.toml";
 const paintColors: Record<LayerName, number> = {
   stress: 0xd0342c,
   strength: 0x2c6fd0,
@@ -58,6 +63,7 @@ export class Studio {
     this.exporting = new Exporting(this.engine, this.stage, this.growth, {
       request: () => this.request(),
       post: () => this.post(),
+      recipe: () => wholeRecipe(this.store.project),
     });
     this.seeing = new Seeing(this.engine, this.stage, this.store, (body) => this.attempt(body));
     const actions: Actions = {
@@ -120,7 +126,7 @@ export class Studio {
   private refresh(): void {
     const { project, canUndo, canRedo } = this.store;
     this.panel.show(project, this.surface?.canvas.diagonal ?? 1, canUndo, canRedo);
-    this.stage.setLook(presetTable[project.preset]!.recipe.picture.material);
+    this.stage.setLook(baseRecipe(project).picture.material);
     this.surface?.painting.follow(project.strokes);
     this.showPaint();
   }
@@ -193,8 +199,7 @@ export class Studio {
     const painting = this.surface?.painting;
     painting?.follow(project.strokes);
     const painted = painting ? paintedAttributes(project, painting) : [];
-    const recipe = { preset: project.preset, set: changedKeys(project) };
-    return { input: this.input(), painted, recipe };
+    return { input: this.input(), painted, recipe: recipeRequest(project) };
   }
 
   private post(): Post {
@@ -233,6 +238,7 @@ export class Studio {
     await this.attempt(async () => {
       const bytes = new Uint8Array(await file.arrayBuffer());
       if (file.name.endsWith(".craze")) return this.takeProject(new TextDecoder().decode(bytes));
+      if (file.name.endsWith(".toml")) return this.takeRecipe(file.name, new TextDecoder().decode(bytes));
       await this.engine.look({ kind: "file", name: file.name, bytes }); // or what is wrong with it
       this.file = { name: file.name, bytes };
       await saveFile(bytes);
@@ -243,6 +249,11 @@ export class Studio {
         impacts: [],
       });
     });
+  }
+
+  private async takeRecipe(name: string, text: string): Promise<void> {
+    const { json } = await this.engine.recipe({ base: { text, name }, set: [] });
+    this.store.change(ofOwnRecipe(ownRecipeOf(JSON.parse(json))!));
   }
 
   private takeProject(text: string): void {

@@ -6,6 +6,7 @@ import { createHash } from "node:crypto";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { inflateSync } from "node:zlib";
 import { after, before, test } from "node:test";
 import { newSession, pageModules, presetNames, web } from "./session.mjs";
 
@@ -36,13 +37,15 @@ function runLine(line) {
   execFileSync("bash", ["-c", `${quoted} --quiet --no-warnings`], { cwd: folder });
 }
 
+const requestOf = (project) => ({
+  input: { kind: "shape", specification: project.source.specification },
+  painted: [],
+  recipe: recipe.recipeRequest(project),
+});
+
 async function exported(project, name) {
   const session = await newSession(Session);
-  session.crack({
-    input: { kind: "shape", specification: project.source.specification },
-    painted: [],
-    recipe: { preset: project.preset, set: recipe.changedKeys(project) },
-  });
+  session.crack(requestOf(project));
   return session.write(name, project).find((file) => file.name === name).bytes;
 }
 
@@ -87,13 +90,53 @@ test("cracks are told as they open, all of them and in their order", async () =>
   const session = await newSession(Session, { progress: () => {}, opened });
   const input = { kind: "shape", specification: shapes[0] };
   const set = [["layer.spacing", "0.25"], ["mesh.output", '"simulation"'], ["layer.rounds", "0"]];
-  const summary = session.crack({ input, painted: [], recipe: { preset: "glaze", set } });
+  const summary = session.crack({ input, painted: [], recipe: { base: { preset: "glaze" }, set } });
   let length = 0;
   for (let i = 0; i < pieces.length; i += 6) {
     length += Math.hypot(pieces[i + 3] - pieces[i], pieces[i + 4] - pieces[i + 1]);
   }
   // Some vertices slide after a piece was told.
   assert.ok(Math.abs(length / summary.length - 1) < 0.02, `${length}, ${summary.length}`);
+});
+
+test("a recipe of one's own comes back from TOML, and gives the command's bytes", { skip }, async () => {
+  const source = { kind: "shape", specification: shapes[1] };
+  const session = await newSession(Session);
+  const own = `seed = 5\n[layer]\nspacing = ${coarse}\n[material]\nscatter = 0.3\n[post]\ngap = 0.04\n`;
+  const { json } = session.recipe({ base: { text: own, name: "own.toml" }, set: [] });
+  const change = recipe.ofOwnRecipe(JSON.parse(json));
+  const project = { ...firstProject, source, ...change, load: 3 };
+  assert.equal(project.gap, 0.04);
+  const { toml } = session.recipe(recipe.wholeRecipe(project));
+  assert.match(toml, /^seed = 5$[^]*^scatter = 0\.3$[^]*^max_load = 3\.0$/m);
+  assert.equal(session.recipe({ base: { text: toml, name: "again" }, set: [] }).toml, toml);
+  writeFileSync(join(folder, "recipe.toml"), toml);
+  runLine(recipe.commandLine(project, "own.ply"));
+  assert.equal(hash(await exported(project, "own.ply")), hash(readFileSync(join(folder, "own.ply"))));
+});
+
+/** What a PNG holds, unpacked. */
+function unpacked(png) {
+  const parts = [];
+  for (let at = 8; at < png.length; at += 12 + png.readUInt32BE(at)) {
+    if (png.toString("latin1", at + 4, at + 8) !== "IDAT") continue;
+    parts.push(png.subarray(at + 8, at + 8 + png.readUInt32BE(at)));
+  }
+  return inflateSync(Buffer.concat(parts));
+}
+
+test("maps have the pixels of the command's", { skip }, async () => {
+  const source = { kind: "shape", specification: shapes[1] };
+  const project = { ...firstProject, source, spacing: coarse, gap: 0.05, wall: 0.02 };
+  runLine(`${recipe.commandLine(project, "mapped.ply")} --maps maps --map-size 64`);
+  const session = await newSession(Session);
+  session.crack(requestOf(project));
+  const files = await session.maps(64, project);
+  assert.equal(files.length, 13);
+  for (const { name, bytes } of files.filter(({ name }) => name.endsWith(".png"))) {
+    const wanted = unpacked(readFileSync(join(folder, "maps", name)));
+    assert.equal(hash(unpacked(Buffer.from(bytes))), hash(wanted), name);
+  }
 });
 
 const brush = { kind: "brush", radius: 20000, strength: 90, along: false, erase: false, mirror: true };
@@ -128,7 +171,7 @@ async function expectPaintedBytes(strokes) {
   const request = {
     input,
     painted: attributes,
-    recipe: { preset: project.preset, set: recipe.changedKeys(project) },
+    recipe: recipe.recipeRequest(project),
   };
   const [painted] = session.paintedInput(request, "painted.ply");
   writeFileSync(join(folder, painted.name), painted.bytes);

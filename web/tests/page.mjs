@@ -1,6 +1,6 @@
 // The built page in Debian's Chromium, from a folder below the root of a plain file server.
 import assert from "node:assert/strict";
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { dirname, extname, join, normalize } from "node:path";
@@ -28,7 +28,7 @@ function serve() {
   return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server)));
 }
 
-async function openBrowser() {
+export async function openBrowser() {
   const server = await serve();
   const browser = await chromium.launch({
     executablePath,
@@ -40,6 +40,30 @@ async function openBrowser() {
     server.close();
   };
   return { browser, origin, address: origin + below, close };
+}
+
+/** Bytes of memory that this process's browsers hold, what they share counted once. */
+export function memoryOfBrowsers() {
+  const parents = new Map();
+  for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
+    try {
+      parents.set(pid, readFileSync(`/proc/${pid}/stat`, "utf8").replace(/.*\) /, "").split(" ")[1]);
+    } catch {
+      // It has ended.
+    }
+  }
+  const isOurs = (pid) => pid === String(process.pid) || (parents.has(pid) && isOurs(parents.get(pid)));
+  let bytes = 0;
+  for (const pid of parents.keys()) {
+    if (pid === String(process.pid) || !isOurs(pid)) continue;
+    try {
+      const rollup = readFileSync(`/proc/${pid}/smaps_rollup`, "utf8");
+      bytes += 1024 * Number(/^Pss: +(\d+)/m.exec(rollup)[1]);
+    } catch {
+      // Likewise.
+    }
+  }
+  return bytes;
 }
 
 /** A browser for all tests of a file, there once they run. */
@@ -62,10 +86,11 @@ function keepDrawings() {
 
 /** A new person's page. Nothing may be said on its console, and nothing asked of another origin:
  * leave() looks. */
-export async function visit({ browser, origin, address }, options = {}, hash = "") {
+export async function visit({ browser, origin, address }, { init, ...options } = {}, hash = "") {
   const context = await browser.newContext({ acceptDownloads: true, ...options });
   await context.grantPermissions(["clipboard-read", "clipboard-write"], { origin });
   await context.addInitScript(keepDrawings);
+  if (init) await context.addInitScript(init); // runs in the page before all else
   const page = await context.newPage();
   page.setDefaultTimeout(120_000);
   const said = [];

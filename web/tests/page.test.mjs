@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { presetNames } from "./session.mjs";
 import {
+  addressOf,
   browserOfTests,
   button,
   copied,
@@ -90,6 +91,31 @@ test("a link brings the same cracks and the same command back", { skip }, async 
   assert.equal(await copied(second.page, "Copy command"), command);
   assert.deepEqual(await exported(second.page, "PLY"), bytes);
   await second.leave();
+});
+
+test("a recipe is exported as TOML, and taken back", { skip }, async () => {
+  const plate = addressOf({ source: { kind: "shape", specification: "plate?n=20" }, spacing: 0.3, seed: 4 });
+  const first = await visit(browser, still, plate);
+  await cracked(first.page);
+  const toml = (await exported(first.page, "Recipe (TOML)")).toString();
+  assert.match(toml, /^seed = 4$[^]*^spacing = 0\.3$/m);
+  const bytes = await exported(first.page, "PLY");
+  await first.leave();
+  const other = addressOf({ source: { kind: "shape", specification: "plate?n=20" }, preset: "mud" });
+  const { page, leave } = await visit(browser, still, other);
+  await cracked(page);
+  await drop(page, "broken.toml", "seed = [");
+  await page.getByRole("alert").filter({ hasText: "broken.toml" }).waitFor();
+  await drop(page, "mine.toml", toml);
+  await page.waitForFunction(() => !document.querySelector("[aria-label=Preset] :checked"));
+  await progress(page).filter({ hasText: /^(start|repair|remesh|prepare|crack)/ }).waitFor();
+  await cracked(page);
+  assert.deepEqual(await exported(page, "PLY"), bytes);
+  assert.equal(await copied(page, "Copy command"), "craze crack 'shape:plate?n=20' -o cracked.ply --recipe recipe.toml");
+  await button(page, "Undo").click();
+  await cracked(page);
+  assert.match(await copied(page, "Copy command"), /--preset mud/);
+  await leave();
 });
 
 test("a run that is cancelled leaves the last result", { skip }, async () => {

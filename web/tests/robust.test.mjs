@@ -1,4 +1,4 @@
-// What should not hurt: broken files.
+// What should not hurt: broken files, a worker that ends, run after run.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -7,8 +7,11 @@ import {
   button,
   copied,
   cracked,
+  memoryOfBrowsers,
   drop,
   exported,
+  picture,
+  progress,
   skip,
   still,
   visit,
@@ -70,5 +73,65 @@ test("hostile files are one sentence each, and the page lives on", { skip }, asy
   }
   assert.equal(await copied(page, "Copy command"), command);
   assert.deepEqual(await exported(page, "PLY"), bytes);
+  await leave();
+});
+
+/** In the page: its workers, the last one made last. */
+function keepWorkers() {
+  const Own = globalThis.Worker;
+  globalThis.workers = [];
+  globalThis.Worker = class extends Own {
+    constructor(...given) {
+      super(...given);
+      globalThis.workers.push(this);
+    }
+  };
+}
+
+test("a worker that is killed while it cracks takes nothing with it", { skip }, async () => {
+  const stroke = {
+    kind: "fill", layer: "strength", along: false, radius: 0, strength: 40, erase: false, mirror: false, dabs: [],
+  };
+  const painted = addressOf({ source: { kind: "shape", specification: "cup?n=48" }, spacing: 0.2, strokes: [stroke] });
+  const { page, leave } = await visit(browser, { ...still, init: keepWorkers }, painted);
+  await cracked(page);
+  const bytes = await exported(page, "PLY");
+  const seen = await picture(page);
+  await page.getByText("mud-mature").click();
+  await progress(page).filter({ hasText: /crack: \d+ cracks/ }).waitFor();
+  await page.evaluate(() => {
+    const running = globalThis.workers.at(-2); // the last one waits for the next run
+    running.terminate();
+    running.dispatchEvent(new ErrorEvent("error", { message: "the worker was killed" }));
+  });
+  await page.getByRole("alert").filter({ hasText: "the worker was killed" }).waitFor();
+  assert.deepEqual(await exported(page, "PLY"), bytes);
+  assert.match(await copied(page, "Copy command"), /painted\.ply .*mud-mature.*paint_strength/);
+  await button(page, "Undo").click();
+  await progress(page).filter({ hasText: /^\D/ }).waitFor();
+  await cracked(page);
+  assert.deepEqual(await exported(page, "PLY"), bytes);
+  assert.equal(await picture(page), seen);
+  await leave();
+});
+
+test("fifty runs take no more memory than ten", { skip }, async () => {
+  const { page, leave } = await visit(browser, still, plate);
+  await cracked(page);
+  const runs = async (count) => {
+    for (let i = 0; i < count; ++i) {
+      await progress(page).evaluate((region) => (region.textContent = ""));
+      await button(page, "New seed").click();
+      await cracked(page);
+    }
+    const session = await page.context().newCDPSession(page);
+    await session.send("HeapProfiler.collectGarbage");
+    await session.detach();
+    return memoryOfBrowsers();
+  };
+  const before = await runs(10);
+  const after = await runs(40);
+  // An instance of the engine alone would be 16 MB a run.
+  assert.ok(after < before + 100e6, `${before / 1e6} MB, then ${after / 1e6} MB`);
   await leave();
 });

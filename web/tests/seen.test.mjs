@@ -126,7 +126,7 @@ test("the paper's loop is gone through step by step, to its end", { skip }, asyn
   await leave();
 });
 
-test("pictures, lines and films are exported", { skip }, async () => {
+test("pictures, lines, films and maps are exported", { skip }, async () => {
   const plate = addressOf({ source: { kind: "shape", specification: "plate?n=20" }, spacing: 0.3 });
   const { page, leave } = await visit(browser, still, plate);
   await cracked(page);
@@ -135,6 +135,11 @@ test("pictures, lines and films are exported", { skip }, async () => {
   assert.match((await exported(page, "Lines (SVG)")).toString(), /<svg[^]*<path/);
   begins(await exported(page, "Film (WebM)"), "\x1aE\xdf\xa3");
   begins(await exported(page, "GLB"), "glTF");
+  const maps = await exported(page, "Maps (ZIP of PNG)");
+  begins(maps, "PK");
+  assert.ok(maps.includes("maps.json"));
+  const mask = maps.indexOf("mask.png"); // its first record, then the file itself
+  begins(maps.subarray(mask + "mask.png".length), "\x89PNG");
   await leave();
 });
 

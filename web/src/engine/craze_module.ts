@@ -50,6 +50,8 @@ export interface CrazeModule {
   _craze_job_set_preset(job: Pointer, preset: Pointer, error: Pointer): Status;
   _craze_job_set(job: Pointer, key: Pointer, value: Pointer, error: Pointer): Status;
   _craze_job_set_recipe(job: Pointer, text: Pointer, name: Pointer, error: Pointer): Status;
+  _craze_job_recipe(job: Pointer, error: Pointer): Pointer;
+  _craze_job_recipe_toml(job: Pointer, error: Pointer): Pointer;
   _craze_job_set_max_cracks(job: Pointer, cracks: bigint, error: Pointer): Status;
   _craze_job_set_opened(job: Pointer, opened: Pointer, user: Pointer): void;
   _craze_job_set_threads(job: Pointer, threads: number, error: Pointer): Status;
@@ -77,6 +79,25 @@ export interface CrazeModule {
     opening: Pointer,
     time: number,
     positions: Pointer,
+    error: Pointer,
+  ): Status;
+  _craze_job_bake(
+    job: Pointer,
+    size: number,
+    names: Pointer,
+    greenUp: number,
+    gap: number,
+    wall: number,
+    error: Pointer,
+  ): Pointer;
+  _craze_maps_free(maps: Pointer): void;
+  _craze_maps_name(maps: Pointer, index: bigint): Pointer;
+  _craze_maps_array(maps: Pointer, index: bigint, array: Pointer, error: Pointer): Status;
+  _craze_maps_range(
+    maps: Pointer,
+    index: bigint,
+    low: Pointer,
+    high: Pointer,
     error: Pointer,
   ): Status;
 }

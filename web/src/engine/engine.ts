@@ -80,6 +80,16 @@ export class Engine {
     return this.last().ask("writeLines", { name });
   }
 
+  /** Maps of the last run and what they stand for, `size` texels a side. Throws CrazeError. */
+  maps(size: number, post: m.Post): Promise<m.OutputFile[]> {
+    return this.last().ask("maps", { size, post });
+  }
+
+  /** All keys of a recipe. Throws CrazeError where it is none. */
+  recipe(request: m.RecipeRequest): Promise<m.RecipeTexts> {
+    return this.alone((worker) => worker.ask("recipe", request));
+  }
+
   /** The paper's loop after so many cracks. */
   loop(cracks: number, seed: number): Promise<m.LoopState> {
     return this.spare.ask("loop", { cracks, seed });

@@ -89,6 +89,12 @@ export class Memory {
     return this.rowsOf(name, (...found) => this.craze._craze_lines_array(lines, ...found));
   }
 
+  /** The same of the i-th of baked maps. */
+  mapsArray(maps: number, index: bigint): Rows {
+    this.check((error) => this.craze._craze_maps_array(maps, index, this.array, error));
+    return this.foundRows("maps");
+  }
+
   /** The text that a function returns, which is freed. */
   taken(call: (error: number) => number): string {
     const pointer = this.made(call);
@@ -99,6 +105,10 @@ export class Memory {
 
   private rowsOf(name: string, find: (name: number, array: number, error: number) => number): Rows {
     this.withText(name, (at) => this.check((error) => find(at, this.array, error)));
+    return this.foundRows(name);
+  }
+
+  private foundRows(name: string): Rows {
     const view = new DataView(this.craze.HEAPU8.buffer, this.array, arraySize);
     const data = view.getUint32(0, true);
     const rows = Number(view.getBigInt64(8, true));

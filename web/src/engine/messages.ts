@@ -12,9 +12,9 @@ export interface PaintedAttribute {
   columns: number; // how many values a vertex has
 }
 
-/** A preset and the keys that differ from it, as --set takes them, in their order. */
+/** What a recipe begins with, and the keys that differ from it, as --set takes them, in order. */
 export interface RecipeRequest {
-  preset: string;
+  base: { preset: string } | { text: string; name: string }; // a text: TOML or JSON
   set: [key: string, value: string][];
 }
 
@@ -108,6 +108,12 @@ export interface LoopState {
   ended: boolean; // nothing more can fail
 }
 
+/** A whole recipe. */
+export interface RecipeTexts {
+  toml: string;
+  json: string;
+}
+
 export interface OutputFile {
   name: string;
   bytes: Uint8Array;
@@ -124,6 +130,8 @@ export interface Requests {
   statistics: { request: null; reply: Statistics };
   writeLines: { request: { name: string }; reply: OutputFile[] };
   loop: { request: { cracks: number; seed: number }; reply: LoopState };
+  maps: { request: { size: number; post: Post }; reply: OutputFile[] };
+  recipe: { request: RecipeRequest; reply: RecipeTexts };
   paintedInput: { request: CrackRequest & { name: string }; reply: OutputFile[] };
 }
 

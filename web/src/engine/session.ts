@@ -3,9 +3,11 @@
 import { crackEdges } from "./crack_edges";
 import type { CrazeModule } from "./craze_module";
 import { fieldsOf } from "./fields";
+import { mapFiles } from "./map_files";
 import { Memory } from "./memory";
 import type * as m from "./messages";
 import { loopState } from "./paper_loop";
+import { setRecipe } from "./set_recipe";
 import { shading } from "./shading";
 
 const folder = "/studio";
@@ -68,16 +70,7 @@ export class Session {
     this.job = craze._craze_job_new();
     memory.check((e) => craze._craze_job_set_threads(this.job, 1, e));
     memory.check((e) => craze._craze_job_set_mesh(this.job, this.mesh, e));
-    memory.withText(request.recipe.preset, (preset) =>
-      memory.check((e) => craze._craze_job_set_preset(this.job, preset, e)),
-    );
-    for (const [key, value] of request.recipe.set) {
-      memory.withText(key, (k) =>
-        memory.withText(value, (v) =>
-          memory.check((e) => craze._craze_job_set(this.job, k, v, e)),
-        ),
-      );
-    }
+    setRecipe(craze, memory, this.job, request.recipe);
     craze._craze_job_set_progress(this.job, this.callback, 0);
     craze._craze_job_set_opened(this.job, this.openedCallback, 0);
     memory.check((e) => craze._craze_job_run(this.job, e));
@@ -144,6 +137,24 @@ export class Session {
 
   statistics(): m.Statistics {
     return JSON.parse(this.memory.taken((e) => this.craze._craze_job_statistics(this.job, e)));
+  }
+
+  maps(size: number, post: m.Post): Promise<m.OutputFile[]> {
+    return mapFiles(this.craze, this.memory, this.job, size, post);
+  }
+
+  recipe(request: m.RecipeRequest): m.RecipeTexts {
+    const { craze, memory } = this;
+    const job = craze._craze_job_new();
+    try {
+      setRecipe(craze, memory, job, request);
+      return {
+        toml: memory.taken((e) => craze._craze_job_recipe_toml(job, e)),
+        json: memory.taken((e) => craze._craze_job_recipe(job, e)),
+      };
+    } finally {
+      craze._craze_job_free(job);
+    }
   }
 
   loop(cracks: number, seed: number): m.LoopState {

@@ -40,6 +40,10 @@ async function answer({ kind, request }: ToWorker): Promise<Reply> {
       return session.writeLines(request.name);
     case "loop":
       return session.loop(request.cracks, request.seed);
+    case "maps":
+      return session.maps(request.size, request.post);
+    case "recipe":
+      return session.recipe(request);
     case "paintedInput":
       return session.paintedInput(request, request.name);
   }

@@ -1,5 +1,5 @@
 // A project as text, checked when it comes back: for addresses, packed, and for files.
-import { firstProject, layerNames, type Project, type Stroke } from "./project";
+import { firstProject, layerNames, type OwnRecipe, type Project, type Stroke } from "./project";
 
 type Json = Record<string, unknown>;
 
@@ -26,6 +26,25 @@ function strokeOf(value: unknown): Stroke {
   return { ...stroke, kind, along: along!, erase: erase!, mirror: mirror! };
 }
 
+/** The whole recipe in parsed JSON, null where there is none; throws Error where it lacks what the
+ * page reads or asks for what the page cannot show. */
+export function ownRecipeOf(json: unknown): OwnRecipe | null {
+  if (json === undefined || json === null) return null;
+  const recipe = json as OwnRecipe;
+  const { seed, layer, evolution, picture, post } = recipe;
+  const numbers = [seed, layer?.relative_spacing, evolution?.max_load];
+  if (!numbers.every(isNumber) || typeof picture?.material !== "string") wrong("recipe");
+  if (!["number", "string"].includes(typeof layer.spacing)) wrong("recipe");
+  for (const name of ["gap", "wall", "curl"] as const) {
+    if (!isNumber(post?.[name])) wrong(`post.${name} of the recipe must be a number without a unit`);
+  }
+  const opened = post as unknown as Json;
+  for (const name of ["thickness", "gap_width"]) {
+    if (opened[name] !== 0) wrong(`the studio has no post.${name} yet: set it to 0`);
+  }
+  return recipe;
+}
+
 /** The project in parsed JSON; throws Error where it is none. */
 export function projectOf(json: unknown): Project {
   if (typeof json !== "object" || json === null) wrong("not an object");
@@ -44,6 +63,7 @@ export function projectOf(json: unknown): Project {
   return {
     source: source as unknown as Project["source"],
     preset,
+    recipe: ownRecipeOf(value["recipe"]),
     seed: numberOr(value["seed"], firstProject.seed, "seed", 0),
     spacing: numberOr(value["spacing"], null, "spacing", 0),
     load: numberOr(value["load"], null, "load", 0),

@@ -20,12 +20,22 @@ export interface Stroke {
   dabs: number[]; // x y z and the normal's x y z, six a dab
 }
 
+/** What the page itself reads of a whole recipe, which has all keys of the table. */
+export interface OwnRecipe {
+  seed: number;
+  layer: { spacing: number | string; relative_spacing: number };
+  evolution: { max_load: number };
+  picture: { material: string };
+  post: { gap: number; wall: number; curl: number };
+}
+
 export interface Project {
   source: Source;
   preset: string;
+  recipe: OwnRecipe | null; // a person's own, whole, in the place of the preset's
   seed: number;
-  spacing: number | null; // layer.spacing in the mesh's unit; null: the preset's
-  load: number | null; // evolution.max_load; null: the preset's
+  spacing: number | null; // layer.spacing in the mesh's unit; null: the recipe's
+  load: number | null; // evolution.max_load; null: the recipe's
   gap: number;
   wall: number;
   curl: number;
@@ -36,6 +46,7 @@ export interface Project {
 export const firstProject: Project = {
   source: { kind: "shape", specification: "cup?n=96" },
   preset: "glaze",
+  recipe: null,
   seed: 1,
   spacing: 0.14,
   load: null,
@@ -51,6 +62,7 @@ export function cracksOtherwise(a: Project, b: Project): boolean {
   return (
     a.source !== b.source ||
     a.preset !== b.preset ||
+    a.recipe !== b.recipe ||
     a.seed !== b.seed ||
     a.spacing !== b.spacing ||
     a.load !== b.load ||

@@ -1,12 +1,33 @@
 // The recipe of a project as keys that differ from its preset: for the engine and for the command.
+import type { RecipeRequest } from "../engine/messages";
 import { layers, paintedLayers } from "../paint/layers";
-import type { Project } from "./project";
+import type { OwnRecipe, Project } from "./project";
 import { presetTable } from "./tables";
+
+/** What the project's own keys are on top of. */
+export function baseRecipe(project: Project): OwnRecipe {
+  return project.recipe ?? presetTable[project.preset]!.recipe;
+}
+
+/** For the engine; without [post], which opens what is cracked. */
+export function recipeRequest(project: Project): RecipeRequest {
+  const { recipe, preset } = project;
+  const base = recipe ? { text: JSON.stringify(recipe), name: ownRecipe } : { preset };
+  return { base, set: changedKeys(project) };
+}
+
+/** The same with [post]. */
+export function wholeRecipe(project: Project): RecipeRequest {
+  const { base, set } = recipeRequest(project);
+  return { base, set: [...set, ...postKeys(project)] };
+}
+
+const ownRecipe = "recipe.toml"; // as it is exported
 
 const opening = ["gap", "wall", "curl"] as const;
 
 /** Keys and values, as --set takes them, without [post]. */
-export function changedKeys(project: Project): [string, string][] {
+function changedKeys(project: Project): [string, string][] {
   const set: [string, string][] = [];
   if (project.spacing !== null) set.push(["layer.spacing", String(project.spacing)]);
   if (project.load !== null) set.push(["evolution.max_load", String(project.load)]);
@@ -22,7 +43,7 @@ export function changedKeys(project: Project): [string, string][] {
 }
 
 function postKeys(project: Project): [string, string][] {
-  const own = presetTable[project.preset]!.recipe.post;
+  const own = baseRecipe(project).post;
   return opening
     .filter((name) => project[name] !== own[name])
     .map((name) => [`post.${name}`, String(project[name])]);
@@ -30,12 +51,18 @@ function postKeys(project: Project): [string, string][] {
 
 /** What changes with another preset: an opening that was the preset's own is the next one's. */
 export function ofPreset(project: Project, preset: string): Partial<Project> {
-  const old = presetTable[project.preset]!.recipe.post;
-  const change: Partial<Project> = { preset, spacing: null, load: null };
+  const old = baseRecipe(project).post;
+  const change: Partial<Project> = { preset, recipe: null, spacing: null, load: null };
   for (const name of opening) {
     if (project[name] === old[name]) change[name] = presetTable[preset]!.recipe.post[name];
   }
   return change;
+}
+
+/** What changes with a recipe of a person's own: its seed and opening, and no impact but its own. */
+export function ofOwnRecipe(recipe: OwnRecipe): Partial<Project> {
+  const { gap, wall, curl } = recipe.post;
+  return { recipe, seed: recipe.seed, spacing: null, load: null, impacts: [], gap, wall, curl };
 }
 
 /** For a shell: as it is where nothing in it means something there. */
@@ -50,9 +77,12 @@ export function commandInput(project: Project): string {
   return source.kind === "shape" ? `shape:${source.specification}` : source.name;
 }
 
-/** The command that writes the same bytes as the page. */
+/** The command that writes the same bytes as the page. A recipe of a person's own it reads from
+ * the file that the page exports, in which every change is. */
 export function commandLine(project: Project, output: string): string {
-  const words = ["craze", "crack", commandInput(project), "-o", output, "--preset", project.preset];
+  const words = ["craze", "crack", commandInput(project), "-o", output];
+  if (project.recipe) return [...words, "--recipe", ownRecipe].map(quoted).join(" ");
+  words.push("--preset", project.preset);
   for (const [key, value] of [...changedKeys(project), ...postKeys(project)]) {
     words.push("--set", `${key}=${value}`);
   }

@@ -1,4 +1,5 @@
 // The engine's own tables, taken from it when the page is built.
+import type { OwnRecipe } from "./project";
 import parameters from "../engine/generated/parameters.json";
 import presets from "../engine/generated/presets.json";
 
@@ -8,16 +9,9 @@ interface Parameter {
   minimum?: number;
 }
 
-interface PresetRecipe {
-  layer: { spacing: number | string; relative_spacing: number };
-  evolution: { max_load: number };
-  picture: { material: string };
-  post: { gap: number; wall: number; curl: number };
-}
-
 export interface Preset {
   description: string;
-  recipe: PresetRecipe;
+  recipe: OwnRecipe;
 }
 
 /** Throws Error for a key that the engine has not. */

@@ -11,6 +11,15 @@ export interface Split {
   show(side: "left" | "right"): void;
 }
 
+/** Whether a graphics processor draws: without one smooth edges take as long as all the rest. */
+function hasGraphics(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const info = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? String(gl!.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return !/swiftshader|llvmpipe|software/i.test(name);
+}
+
 export class Viewer {
   split: Split | null = null;
   readonly scene = new three.Scene();
@@ -23,7 +32,7 @@ export class Viewer {
 
   /** Throws Error where there is no WebGL. */
   constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new three.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer = new three.WebGLRenderer({ canvas, antialias: hasGraphics(), alpha: true });
     this.renderer.toneMapping = three.ACESFilmicToneMapping;
     this.camera.up.set(0, 0, 1);
     const room = new three.PMREMGenerator(this.renderer);

@@ -1,6 +1,6 @@
 // The controls and what each of them changes.
 import { firstProject, type Project } from "../project/project";
-import { ofPreset } from "../project/recipe";
+import { baseRecipe, ofPreset } from "../project/recipe";
 import { parameter, presetTable } from "../project/tables";
 import { button, checkbox, combobox, element, radioGroup, type Choice } from "./elements";
 import { pictureOf } from "./preset_pictures";
@@ -44,6 +44,8 @@ const formats: Choice[] = [
   { value: "stl", label: "STL" },
   { value: "usda", label: "USDA" },
   { value: "svg", label: "Lines (SVG)" },
+  { value: "maps.zip", label: "Maps (ZIP of PNG)" },
+  { value: "toml", label: "Recipe (TOML)" },
   { value: "png", label: "Picture (PNG)" },
   { value: "webm", label: "Film (WebM)" },
   { value: "painted.ply", label: "Painted input (PLY)" },
@@ -185,8 +187,8 @@ export class Panel {
   /** `diagonal`: of the input, which lengths go by; `spacing`: what holds where none is set. */
   show(project: Project, diagonal: number, canUndo: boolean, canRedo: boolean): void {
     this.shown = project;
-    const recipe = presetTable[project.preset]!.recipe;
-    this.presets.show(project.preset);
+    const recipe = baseRecipe(project);
+    this.presets.show(project.recipe ? "" : project.preset);
     if (project.source.kind === "shape") this.shape.select.value = project.source.specification;
     else this.shape.select.selectedIndex = -1;
     this.spacing.range(0.015 * diagonal, 0.3 * diagonal);
