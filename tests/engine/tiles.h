@@ -11,6 +11,7 @@ namespace craze {
 /// Mud whose pieces are `spacing` of the side of a tile.
 inline Recipe mud_for_tiles(double spacing, std::uint64_t seed) {
   Recipe recipe = read_preset("mud");
+  recipe.post.relative_roughness = 0;
   recipe.simulation.layer.spacing = spacing;
   recipe.simulation.seed = seed;
   return recipe;
