@@ -287,9 +287,12 @@ TEST(Roughness, OfMudIsThereUnlessItIsTakenAway) {
 TEST(Roughness, TakesNoCrackIntoWhatIsClosed) {
   // Cracks run as near as they like to where none may be: nothing of them gets across.
   const Result smooth = cracked(plate, {});
-  const CrackNetwork& network = smooth.state().network;
-  const TriangleMesh& mesh = smooth.state().mesh();
-  std::vector<std::uint8_t> closed(smooth.state().surface.triangles.size(), 1);
+  const Simulation& simulation = *smooth.state().simulation;
+  const CrackNetwork network = crack_network(simulation);
+  const TriangleMesh& mesh = simulation.mesh();
+  std::int32_t last = 0;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) last = std::max(last, mesh.source_face(f));
+  std::vector<std::uint8_t> closed(static_cast<std::size_t>(last) + 1, 1);
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     for (int i = 0; i < 3; ++i) {
       // Open is what lies beside a crack.

@@ -43,7 +43,8 @@ std::vector<CrackRoom::Obstacle> CrackRoom::obstacles_of(const CrackNetwork& net
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
     const std::int32_t beyond = mesh.opposite(h);
     const bool at_border = beyond == TriangleMesh::border;
-    if (!at_border && (!is_open(h / 3) || is_open(beyond / 3))) continue;
+    const bool at_crack = mesh.is_open(h) && !at_border;
+    if (at_crack || (!at_border && (!is_open(h / 3) || is_open(beyond / 3)))) continue;
     const Vec3 a = mesh.position(mesh.from(h));
     obstacles.push_back({a, mesh.position_near(mesh.to(h), a), Vec3::Zero(), -1, 0});
   }
