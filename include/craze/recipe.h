@@ -51,6 +51,7 @@ struct PostParameters {
   bool core = false;     ///< what is left inside a closed surface is a solid as well
   Collider collider = Collider::extras;  ///< of solids
   Length roughness = 0;             ///< of the cracks' lines, rms over the usual length of a crack
+  double relative_roughness = 0;    ///< that over the usual length, where roughness is 0
   double roughness_exponent = 0.8;  ///< Hurst exponent of that
   Length roughness_step = 0;        ///< between points of a rough line; 0: automatic
   ShutCracks lines = ShutCracks::automatic;

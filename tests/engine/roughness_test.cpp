@@ -224,7 +224,7 @@ TEST(Roughness, IsAsMuchAsAskedForOverTheUsualLengthOfACrack) {
   const CrackNetwork& network = smooth.state().network;
   const TriangleMesh& mesh = smooth.state().mesh();
   const double usual = usual_length(crack_chains(network));
-  const RoughnessOptions options{0.01 * usual, 0.75, 0, 7};
+  const RoughnessOptions options{0.01 * usual, 0.75, usual / 256, 7};
   const RoughNetwork rough = roughen(network, mesh, options, {});
   double sum = 0, count = 0;
   for (const CrackChain& chain : crack_chains(rough.network)) {
@@ -253,10 +253,73 @@ TEST(Roughness, IsAsMuchAsAskedForOverTheUsualLengthOfACrack) {
 
 TEST(Roughness, MakesTheCracksOfMudLongerThanTheirChords) {
   const double smooth = tortuosity(cracked(plate, {}));
-  const double rough = tortuosity(cracked(plate, {"post.roughness=0.01"}));
+  const double rough =
+      tortuosity(cracked(plate, {"post.roughness=0.01", "post.roughness_step=0.0005"}));
   EXPECT_LT(smooth, 1.01);
   EXPECT_GT(rough, 1.02);
   EXPECT_LT(rough, 1.2);
+}
+
+TEST(Roughness, RelativeToTheUsualLengthIsThatLength) {
+  const Result smooth = cracked(plate, {});
+  const double usual = usual_length(crack_chains(crack_network(*smooth.state().simulation)));
+  const Result relative = cracked(plate, {"post.relative_roughness=0.06"});
+  EXPECT_NEAR(relative.report().recipe.post.roughness, 0.06 * usual, 1e-12);
+  const Result given = cracked(plate, {"post.relative_roughness=0.06", "post.roughness=0.001"});
+  EXPECT_EQ(given.report().recipe.post.roughness, 0.001);
+}
+
+TEST(Roughness, OfMudIsSeenAndCostsFewerThanTwiceTheTriangles) {
+  Recipe recipe = read_preset("mud");
+  recipe.simulation.layer.spacing = 0.14;
+  const auto run = [&] {
+    return crack({std::make_shared<SurfaceMesh>(make_shape(plate)), {}, plate}, recipe, {}, {});
+  };
+  const Result smooth = run();
+  recipe.post.relative_roughness = 0.06;
+  const Result rough = run();
+  EXPECT_GT(tortuosity(rough), tortuosity(smooth) + 0.003);
+  EXPECT_LT(rough.state().mesh().face_count(), 2 * smooth.state().mesh().face_count());
+  EXPECT_EQ(rough.report().cracks.fragments, smooth.report().cracks.fragments);
+}
+
+TEST(Roughness, TakesNoCrackIntoWhatIsClosed) {
+  // Cracks run as near as they like to where none may be: nothing of them gets across.
+  const Result smooth = cracked(plate, {});
+  const Simulation& simulation = *smooth.state().simulation;
+  const CrackNetwork network = crack_network(simulation);
+  const TriangleMesh& mesh = simulation.mesh();
+  std::int32_t last = 0;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) last = std::max(last, mesh.source_face(f));
+  std::vector<std::uint8_t> closed(static_cast<std::size_t>(last) + 1, 1);
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      // Open is what lies beside a crack.
+      const std::int32_t v = mesh.from(3 * f + i);
+      for (const CrackEdge& e : network.edges) {
+        const bool touches = (network.nodes[e.a].position - mesh.position(v)).norm() < 1e-9 ||
+                             (network.nodes[e.b].position - mesh.position(v)).norm() < 1e-9;
+        if (touches) closed[static_cast<std::size_t>(mesh.source_face(f))] = 0;
+      }
+    }
+  }
+  RoughnessOptions options{0.02, 0.75, 0.002, 7};
+  const auto points_in_closed = [&] {
+    int count = 0;
+    for (const CrackNode& n : roughen(network, mesh, options, {}).network.nodes) {
+      for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+        if (closed[static_cast<std::size_t>(mesh.source_face(f))] == 0) continue;
+        const Vec3 &a = mesh.position(mesh.from(3 * f)), &b = mesh.position(mesh.from(3 * f + 1)),
+                   &c = mesh.position(mesh.from(3 * f + 2));
+        count +=
+            turn(a, b, n.position) > 0 && turn(b, c, n.position) > 0 && turn(c, a, n.position) > 0;
+      }
+    }
+    return count;
+  };
+  EXPECT_GT(points_in_closed(), 0);
+  options.closed = closed;
+  EXPECT_EQ(points_in_closed(), 0);
 }
 
 TEST(Roughness, LeavesJunctionsTipsAndFragmentsAsTheyAre) {
@@ -300,8 +363,8 @@ TEST(Roughness, IsCutIntoTheAssetAndKeepsItsAreaAndItsPieces) {
 }
 
 TEST(Roughness, GoesIntoTheSimulationsMeshWhereThatIsTheOutput) {
-  const Result rough =
-      cracked("cup?n=24", {"layer.spacing=0.3", "mesh.output=simulation", "post.roughness=0.01"});
+  const Result rough = cracked("cup?n=24", {"layer.spacing=0.3", "mesh.output=simulation",
+                                            "post.roughness=0.01", "post.roughness_step=0.002"});
   const SurfaceMesh& grown = rough.state().surface;
   const double area = TriangleMesh(grown.positions, grown.triangles).total_area();
   EXPECT_NEAR(rough.state().mesh().total_area() / area, 1, 1e-9);

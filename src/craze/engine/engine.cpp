@@ -58,6 +58,7 @@ void settle(CrackedSurface& state, SimulationSurface surface, Report& report,
   const Simulation& simulation = *state.simulation;
   state.network = crack_network(simulation);
   state.fragments = find_components(simulation.mesh());
+  resolve_roughness(state.recipe.post, state.network);
   const bool is_rough = state.recipe.post.roughness > 0;
   const bool on_itself = surface.asset.triangles.empty();
   if (on_itself && !is_rough) {
@@ -71,7 +72,8 @@ void settle(CrackedSurface& state, SimulationSurface surface, Report& report,
   };
   RoughNetwork rough;
   if (is_rough) {
-    rough = roughen(state.network, simulation.mesh(), roughness_options(state.recipe), counting);
+    rough = roughen(state.network, simulation.mesh(), roughness_options(state.recipe, surface),
+                    counting);
     warn_of_roughness(report, state.recipe, rough);
   }
   if (on_itself) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "craze/engine/roughness/crack_chains.h"
 #include "craze/engine/spacing_rounds.h"
 
 namespace craze {
@@ -24,9 +25,21 @@ void resolve_gap(PostParameters& post, const CrackNetwork& network) {
   post.gap_width = 0;
 }
 
-RoughnessOptions roughness_options(const Recipe& recipe) {
+void resolve_roughness(PostParameters& post, const CrackNetwork& network) {
+  if (post.roughness > 0 || !(post.relative_roughness > 0)) return;
+  post.roughness = post.relative_roughness * usual_length(crack_chains(network));
+}
+
+RoughnessOptions roughness_options(const Recipe& recipe, const SimulationSurface& surface) {
   const PostParameters& post = recipe.post;
-  return {post.roughness, post.roughness_exponent, post.roughness_step, recipe.simulation.seed};
+  RoughnessOptions options{post.roughness, post.roughness_exponent, post.roughness_step,
+                           recipe.simulation.seed, surface.forbidden};
+  const std::vector<double>& mask = surface.mask;
+  if (!mask.empty()) options.closed.resize(mask.size(), 0);
+  for (std::size_t f = 0; f < mask.size(); ++f) {
+    if (mask[f] == 0) options.closed[f] = 1;
+  }
+  return options;
 }
 
 void warn_of_roughness(Report& report, const Recipe& recipe, const RoughNetwork& rough) {

@@ -3,6 +3,7 @@
 
 #include "craze/engine/cycles.h"
 #include "craze/engine/roughness/rough_network.h"
+#include "craze/engine/simulation_surface.h"
 #include "craze/model/crack_network.h"
 #include "craze/report.h"
 
@@ -11,8 +12,11 @@ namespace craze {
 /// post.gap for which cracks open by post.gap_width on average over their length.
 void resolve_gap(PostParameters& post, const CrackNetwork& network);
 
-/// What [post] says of roughness; of a resolved recipe.
-RoughnessOptions roughness_options(const Recipe& recipe);
+/// post.roughness where post.relative_roughness says it, of the cracks as they grew.
+void resolve_roughness(PostParameters& post, const CrackNetwork& network);
+
+/// What [post] says of roughness; of a resolved recipe and the surface that it ran on.
+RoughnessOptions roughness_options(const Recipe& recipe, const SimulationSurface& surface);
 
 /// Adds to the report where the cracks' lines could not be as rough or as fine as asked.
 void warn_of_roughness(Report& report, const Recipe& recipe, const RoughNetwork& rough);

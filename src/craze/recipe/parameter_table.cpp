@@ -331,13 +331,15 @@ std::vector<Parameter> make_table() {
            {.help = "how rough the cracks' own lines are, in the surface: rms difference over the "
                     "usual length of a crack between two junctions; 0: smooth",
             .unit = "length"})
+      .add("relative_roughness", &PostParameters::relative_roughness, not_negative,
+           {.help = "roughness as a part of that usual length, where roughness is 0"})
       .add("roughness_exponent", &PostParameters::roughness_exponent, inside_share,
            {.help = "how roughness goes down with scale, as its power: near 1 soft bends, near 0 "
                     "fine teeth; broken materials have 0.75 to 0.8",
             .symbol = "H",
             .source = "Bouchaud 1997"})
       .add("roughness_step", &PostParameters::roughness_step, not_negative,
-           {.help = "distance between the points of a rough line, at most; 0: 1/256 of the usual "
+           {.help = "distance between the points of a rough line, at most; 0: 1/16 of the usual "
                     "length of a crack, more where that makes over 262144 points",
             .unit = "length"})
       .add("lines", &PostParameters::lines, any,

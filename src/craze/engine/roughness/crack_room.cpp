@@ -26,7 +26,8 @@ double half_of_longest(const Obstacles& obstacles) {
 
 std::vector<CrackRoom::Obstacle> CrackRoom::obstacles_of(const CrackNetwork& network,
                                                          const std::vector<CrackChain>& chains,
-                                                         const TriangleMesh& mesh) {
+                                                         const TriangleMesh& mesh,
+                                                         const std::vector<std::uint8_t>& closed) {
   std::vector<Obstacle> obstacles;
   for (std::size_t c = 0; c < chains.size(); ++c) {
     const ChainLine line(chains[c], network);
@@ -36,8 +37,14 @@ std::vector<CrackRoom::Obstacle> CrackRoom::obstacles_of(const CrackNetwork& net
       obstacles.push_back({a, b, line.at(arc).normal, static_cast<std::int32_t>(c), arc});
     }
   }
+  const auto is_open = [&](std::int32_t face) {
+    return closed.empty() || closed[static_cast<std::size_t>(mesh.source_face(face))] == 0;
+  };
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
-    if (mesh.opposite(h) != TriangleMesh::border) continue;
+    const std::int32_t beyond = mesh.opposite(h);
+    const bool at_border = beyond == TriangleMesh::border;
+    const bool at_crack = mesh.is_open(h) && !at_border;
+    if (at_crack || (!at_border && (!is_open(h / 3) || is_open(beyond / 3)))) continue;
     const Vec3 a = mesh.position(mesh.from(h));
     obstacles.push_back({a, mesh.position_near(mesh.to(h), a), Vec3::Zero(), -1, 0});
   }
@@ -45,11 +52,12 @@ std::vector<CrackRoom::Obstacle> CrackRoom::obstacles_of(const CrackNetwork& net
 }
 
 CrackRoom::CrackRoom(const CrackNetwork& network, const std::vector<CrackChain>& chains,
-                     const TriangleMesh& mesh, double reach, double near)
+                     const TriangleMesh& mesh, const std::vector<std::uint8_t>& closed,
+                     double reach, double near)
     : period_(network.period),
       reach_(reach),
       near_(near),
-      obstacles_(obstacles_of(network, chains, mesh)),
+      obstacles_(obstacles_of(network, chains, mesh, closed)),
       far_(reach / beside_another + half_of_longest(obstacles_)),
       grid_(far_) {
   for (std::size_t k = 0; k < obstacles_.size(); ++k) {

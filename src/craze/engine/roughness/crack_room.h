@@ -25,9 +25,11 @@ struct MovingPlace {
 class CrackRoom {
  public:
   /// reach: what is farther does not count. near: parts of one chain that are nearer along it are
-  /// neighbours, not obstacles. `mesh` gives the border.
+  /// neighbours, not obstacles. `mesh` gives the border, which faces of source faces that are
+  /// closed (rough_network.h) have as well.
   CrackRoom(const CrackNetwork& network, const std::vector<CrackChain>& chains,
-            const TriangleMesh& mesh, double reach, double near);
+            const TriangleMesh& mesh, const std::vector<std::uint8_t>& closed, double reach,
+            double near);
 
   /// In 0 … reach.
   double around(const MovingPlace& place) const;
@@ -41,7 +43,8 @@ class CrackRoom {
   };
   static std::vector<Obstacle> obstacles_of(const CrackNetwork& network,
                                             const std::vector<CrackChain>& chains,
-                                            const TriangleMesh& mesh);
+                                            const TriangleMesh& mesh,
+                                            const std::vector<std::uint8_t>& closed);
   double room_beside(const Obstacle& obstacle, const MovingPlace& place, const Vec3& seen) const;
 
   Period period_;

@@ -17,7 +17,7 @@ namespace craze {
 namespace {
 
 constexpr std::uint64_t stream = 0x726f756768;  // "rough"
-constexpr double steps_of_usual = 256;
+constexpr double steps_of_usual = 16;
 constexpr int most_halvings = 18;
 // Reach of the look around, in the highest heights: what has so much room is hardly held back.
 constexpr double ample_room = 4;
@@ -50,7 +50,8 @@ class Roughener {
         usual_(usual_length(chains_)),
         window_(mean_edge(network)),
         exponent_(options.exponent),
-        amplitude_(std::min(options.amplitude, usual_)) {
+        amplitude_(std::min(options.amplitude, usual_)),
+        closed_(options.closed) {
     // Finer, the lines would be steeper than 45 degrees, or their points too many.
     const double steepest =
         usual_ * elementary::pow(amplitude_ / usual_, 1 / (1 - options.exponent));
@@ -69,7 +70,7 @@ class Roughener {
     if (highest > 0) {
       double reach = std::min(ample_room * highest, farthest * usual_);
       if (network_.period.is_given()) reach = std::min(reach, network_.period.length / 8);
-      const CrackRoom room(network_, chains_, mesh, reach, 2 * window_);
+      const CrackRoom room(network_, chains_, mesh, closed_, reach, 2 * window_);
       for_each_chain(context, [&](std::size_t c) { hold_back(c, room, profiles[c]); });
     }
     return drawn(profiles);
@@ -214,7 +215,8 @@ class Roughener {
   const CrackNetwork& network_;
   std::vector<CrackChain> chains_;
   double usual_, window_, exponent_, amplitude_, step_ = 0;
-  std::vector<Random> randoms_;  // per chain
+  const std::vector<std::uint8_t>& closed_;  // of the options
+  std::vector<Random> randoms_;              // per chain
 };
 
 }  // namespace

@@ -16,6 +16,9 @@ struct RoughnessOptions {
   double exponent = 0.8;  ///< in (0, 1)
   double step = 0;        ///< between points, at most; 0: automatic
   std::uint64_t seed = 0;
+  /// Per source face of the mesh: 1 where no crack may run, so that none gets there by its
+  /// roughness; empty: nowhere.
+  std::vector<std::uint8_t> closed = {};
 };
 
 /// What a rough edge was a piece of.
