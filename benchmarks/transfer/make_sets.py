@@ -38,7 +38,8 @@ def benchmark_plan(plan, clean):
     made = {key: value for key, value in plan.items() if isinstance(value, dict)}
     made["camera"] = dict(plan["camera"], zoom=scaled(plan["camera"]["zoom"], 2))
     made["image"] = {"exposure": plan["image"]["exposure"], "blur": 0, "noise": 0, "quality": 100}
-    top = dict(width=SIZE, height=SIZE, clean=1 if clean else plan["clean"], shard_samples=SHARD)
+    top = dict(seed=plan["seed"], width=SIZE, height=SIZE, shard_samples=SHARD)
+    top["clean"] = 1 if clean else plan["clean"]
     lines = [f"{key} = {toml(value)}" for key, value in top.items()]
     lines += [f"{key} = {toml(value)}" for key, value in made.items()]
     return "\n".join(lines) + "\n"

@@ -19,29 +19,37 @@ struct Edge {
 Edge edge_of(const Mark& mark, const Vec3f& place) {
   const Vec3f off = place - mark.point.cast<float>();
   const Vec3f along = mark.along.cast<float>(), normal = mark.normal.cast<float>();
+  const auto half_width = static_cast<float>(mark.half_width);
+  const auto half_length = static_cast<float>(mark.half_length);
   Edge edge;
   edge.across = normal.cross(along);
   const float s = off.dot(along), side = off.dot(edge.across);
-  float uneven = 0;
-  if (mark.unevenness > 0) {
-    const auto size = static_cast<float>(mark.unevenness);
-    uneven = size * fractal_noise(place / (4 * size), 3).value;
-  }
   switch (mark.shape) {
     case MarkShape::line: {
-      edge.from_middle = side - static_cast<float>(mark.bend) * s * s;
-      edge.outside = std::max(std::abs(edge.from_middle) - static_cast<float>(mark.half_width),
-                              std::abs(s) - static_cast<float>(mark.half_length));
+      const float bent = static_cast<float>(mark.bend) + s * static_cast<float>(mark.twist);
+      edge.from_middle = side - bent * s * s;
+      const float way = half_length > 0 ? s / half_length : 0;
+      const float half = half_width * (1 - static_cast<float>(mark.taper) * way * way);
+      edge.outside = std::max(std::abs(edge.from_middle) - half, std::abs(s) - half_length);
       break;
     }
-    case MarkShape::blob:
-      edge.outside = (off - off.dot(normal) * normal).norm() - static_cast<float>(mark.half_width);
+    case MarkShape::blob: {
+      const Vec3f round =
+          side * edge.across + (half_length > 0 ? half_width / half_length * s : s) * along;
+      edge.from_middle = round.norm();
+      edge.outside = edge.from_middle - half_width;
+      if (edge.from_middle > 0) edge.across = round / edge.from_middle;
       break;
+    }
     case MarkShape::half:
       edge.outside = side;
       break;
   }
-  edge.outside += uneven;
+  const auto uneven = static_cast<float>(mark.unevenness);
+  // The noise stays within −1 … 1: far outside it need not be known.
+  if (uneven > 0 && edge.outside < uneven + static_cast<float>(mark.softness)) {
+    edge.outside += uneven * fractal_noise(place / (4 * uneven), 3).value;
+  }
   return edge;
 }
 
@@ -51,6 +59,7 @@ std::vector<Mark> scaled(std::vector<Mark> marks, const Vec3& origin, double sca
   for (Mark& m : marks) {
     m.point = scale * (m.point - origin);
     m.bend /= scale;
+    m.twist /= scale * scale;
     for (double* length : {&m.half_width, &m.half_length, &m.softness, &m.unevenness, &m.depth}) {
       *length *= scale;
     }
@@ -67,7 +76,7 @@ MarkSample marks_at(const std::vector<Mark>& marks, const Vec3f& place, float fo
     const float soft = std::max(static_cast<float>(mark.softness), 0.5f * footprint);
     const float inside = 1 - smoothstep(-soft, soft, edge.outside);
     if (inside <= 0) continue;
-    if (mark.shape == MarkShape::half) {
+    if (mark.shadow) {
       sample.light *= 1 - mark.strength * inside;
       continue;
     }
@@ -75,7 +84,7 @@ MarkSample marks_at(const std::vector<Mark>& marks, const Vec3f& place, float fo
     sample.color = (1 - part) * sample.color + part * mark.color;
     sample.cover += part * (1 - sample.cover);
     const auto half = static_cast<float>(mark.half_width);
-    if (mark.groove > 0 && half > 0) {
+    if (mark.groove != 0 && half > 0) {
       sample.tilt -=
           mark.groove * inside * std::clamp(edge.from_middle / half, -1.0f, 1.0f) * edge.across;
     }

@@ -21,14 +21,20 @@ struct Mark {
   Vec3 along = Vec3::UnitX();   ///< unit, in the surface there
   Vec3 normal = Vec3::UnitZ();  ///< unit, of the surface there
   double half_width = 0;        ///< line: half its width; blob: its radius; length
-  double half_length = 0;       ///< line: from the point to either end, length
+  /// Line: from the point to either end; blob: its radius along `along`, 0: round; length.
+  double half_length = 0;
   double bend = 0;      ///< line: how far it leaves the straight one over the squared way, 1/length
+  double twist = 0;     ///< line: the same over the cubed way, 1/length²
+  double taper = 0;     ///< line: 0 … 1, how much narrower it is at its ends
   double softness = 0;  ///< over which it fades at its edge, length
   double unevenness = 0;    ///< of its edge, length
   double depth = 0;         ///< how far it reaches below and above the point's plane, length
   Rgb color = Rgb::Zero();  ///< what is seen of it
-  float strength = 1;       ///< 0 … 1, how much of that; half: how dark the shadow is
-  float groove = 0;         ///< line: how deep it looks engraved, 0 … 1
+  float strength = 1;       ///< 0 … 1, how much of that, or how dark the shadow is
+  bool shadow = false;      ///< it dims the light instead of covering the surface
+  /// Line: how deep it looks engraved, 0 … 1; below 0, to −1: how far it stands out. Blob likewise,
+  /// from its middle.
+  float groove = 0;
 };
 
 /// The marks in other units: scale (p − origin).

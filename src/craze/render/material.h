@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "craze/render/color.h"
+#include "craze/render/pattern.h"
 
 namespace craze::render {
 
@@ -17,6 +18,7 @@ struct Material {
   float grit = 0;                 ///< 0 … 1, grains: fine spots and pits
   float aggregate = 0;            ///< 0 … 1, stones of different tints
   float aggregate_size = 0.011f;  ///< of a stone, as part of the object's diagonal
+  Pattern pattern{};              ///< of the ground
   float pieces = 0;               ///< 0 … 1, how much one fragment differs from the next
   float coat = 0;                 ///< 0 … 1, how much of a clear, smooth coat lies on top
   float gloss = 0;                ///< strength of a broad sheen, for rough surfaces
@@ -24,6 +26,7 @@ struct Material {
   float fissure = 0;              ///< glass: how deep cracks go, as part of the object's diagonal
   Rgb line{0.02f, 0.02f, 0.02f};  ///< colour in the core of a crack line
   float line_strength = 1;        ///< 0 … 1, how much of the core colour is seen
+  float patchiness = 0;           ///< 0 … 1, how much that varies along a line
   float stain = 0;                ///< 0 … 1, darkening of the faint band beside a line
   float groove = 0;               ///< 0 … 1, how deep the lines look engraved
   float worn = 0;                 ///< about 0 … 1, how round the edges of open cracks are

@@ -73,7 +73,11 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
     s.albedo = (1 - mark.cover) * s.albedo + mark.color;
     s.normal = (s.normal + mark.tilt).normalized();
     const LineSample line = line_at(model, hit, s.place, footprint);
-    const float core = line.core * material.line_strength;
+    float core = line.core * material.line_strength;
+    if (material.patchiness > 0 && core > 0) {
+      const float pale = fractal_noise(70 * (s.place + material.pattern.shift), 3).value;
+      core *= 1 - material.patchiness * smoothstep(-0.4f, 0.5f, pale);
+    }
     s.albedo *= 1 - line.stain * material.stain;
     s.albedo += core * (material.line - s.albedo);
     s.coat *= 1 - 0.7f * core;
@@ -88,8 +92,10 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
   return s;
 }
 
-Grain grain_at(const Material& material, const Vec3f& place, std::int32_t piece, bool wall) {
+Grain grain_at(const Material& material, const Vec3f& of_body, std::int32_t piece, bool wall,
+               float footprint) {
   Grain grain;
+  const Vec3f place = of_body + material.pattern.shift;
   const Random random(static_cast<std::uint64_t>(piece));
   if (material.pieces > 0 && !wall) {
     grain.tint += 0.16f * material.pieces * static_cast<float>(random.uniform_at(0) - 0.5);
@@ -115,6 +121,11 @@ Grain grain_at(const Material& material, const Vec3f& place, std::int32_t piece,
   if (material.bump > 0) {
     const float frequency = wall ? 60 : 34, strength = (wall ? 2 : 1) * material.bump;
     grain.tilt -= strength * fractal_noise(frequency * place).gradient;
+  }
+  if (!wall) {
+    const PatternSample pattern = pattern_at(material.pattern, of_body, footprint);
+    grain.tint *= pattern.tint;
+    grain.tilt += pattern.tilt;
   }
   return grain;
 }

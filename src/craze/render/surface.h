@@ -43,7 +43,7 @@ struct Surface {
 
 /// Small irregularities of a material at a place.
 struct Grain {
-  float tint = 1;              ///< factor of the colour
+  Rgb tint = Rgb::Ones();      ///< factor of the colour
   Vec3f tilt = Vec3f::Zero();  ///< added to the normal
 };
 
@@ -54,8 +54,9 @@ float fresnel(float cosine);
 Surface surface_at(const TracedModel& model, const Material& material, const Ray& ray,
                    const Hit& hit, float footprint);
 
-/// `piece` tells fragments apart; walls are rougher.
-Grain grain_at(const Material& material, const Vec3f& place, std::int32_t piece, bool wall);
+/// `piece` tells fragments apart; walls are rougher. `footprint` is the size of a pixel there.
+Grain grain_at(const Material& material, const Vec3f& place, std::int32_t piece, bool wall,
+               float footprint);
 
 /// Cracks as the lines drawn at a hit; none on walls.
 LineSample line_at(const TracedModel& model, const Hit& hit, const Vec3f& place, float footprint);

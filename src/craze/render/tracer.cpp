@@ -164,7 +164,7 @@ Pixel Tracer::trace(int x, int y, int width, int height) const {
         if (!grain) {
           const std::int32_t face = hits[i].face;
           grain = grain_at(material_, s.place, model_.pieces.empty() ? 0 : model_.pieces[face],
-                           model_.is_wall[face] != 0);
+                           model_.is_wall[face] != 0, footprint);
         }
         s.albedo *= grain->tint;
         s.normal = (s.normal + grain->tilt - grain->tilt.dot(s.normal) * s.normal).normalized();

@@ -5,7 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 
+#include "craze/error.h"
 #include "craze/job/sweep/sweep_rows.h"
 
 namespace craze {
@@ -31,17 +34,64 @@ TEST(DatasetPlans, ThatShipCanBeDrawn) {
   EXPECT_EQ(plans, 5);
 }
 
+std::vector<PlanKey> keys_in(const std::string& section) {
+  std::vector<PlanKey> keys;
+  for (const PlanKey& key : dataset_schema().keys) {
+    if (key.key.rfind(section + ".", 0) == 0) keys.push_back(key);
+  }
+  return keys;
+}
+
 TEST(DatasetPlans, SeeMarksThatAreNoCracksAndPicturesWithoutAny) {
   for (const auto& entry : fs::directory_iterator(root / "recipes/datasets")) {
     const Plan plan(text_of(entry.path()), entry.path().filename().string(), dataset_schema());
     int marked = 0;
     for (std::uint64_t i = 0; i < 100; ++i) {
       const PlanValues values = plan.draw(i);
-      for (const char* kind : {"shadow", "stain", "joint", "scratch", "seam"}) {
-        marked += number_of(values, std::string("distractors.") + kind) > 0;
+      for (const PlanKey& kind : keys_in("distractors")) marked += number_of(values, kind.key) > 0;
+    }
+    EXPECT_GT(marked, 150) << entry.path();
+  }
+}
+
+TEST(DatasetPlans, HaveEveryKindOfMarkAndPatternInOneOfThem) {
+  std::map<std::string, int> seen;
+  for (const auto& entry : fs::directory_iterator(root / "recipes/datasets")) {
+    const Plan plan(text_of(entry.path()), entry.path().filename().string(), dataset_schema());
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      const PlanValues values = plan.draw(i);
+      for (const PlanKey& kind : keys_in("distractors")) {
+        seen[kind.key] += number_of(values, kind.key) > 0;
+      }
+      for (const char* key : {"veins", "bricks", "flaking", "specks", "aggregate"}) {
+        const std::string full = std::string("surface.") + key;
+        seen[full] += number_of(values, full) != 0;
       }
     }
-    EXPECT_GT(marked, 50) << entry.path();
+  }
+  EXPECT_EQ(seen.size(), 18u);
+  for (const auto& [key, count] : seen) EXPECT_GT(count, 5) << key;
+}
+
+TEST(DatasetPlans, DifferInTheirSeedsSoThatTheirDrawsDo) {
+  std::set<double> seeds;
+  for (const auto& entry : fs::directory_iterator(root / "recipes/datasets")) {
+    const Plan plan(text_of(entry.path()), entry.path().filename().string(), dataset_schema());
+    EXPECT_TRUE(seeds.insert(plan.number("seed")).second) << entry.path();
+  }
+}
+
+TEST(DatasetPlans, AreRefusedWhereALookOrAMarkIsOutOfItsRange) {
+  for (const char* section : {"surface", "lines", "distractors"}) {
+    for (const PlanKey& key : keys_in(section)) {
+      if (key.type == PlanKeyType::word) continue;
+      for (const double value : {key.low - 1, key.high + 1}) {
+        EXPECT_THROW(
+            Plan(key.key + " = " + std::to_string(value), "p.toml", dataset_schema()).draw(0),
+            Error)
+            << key.key << " = " << value;
+      }
+    }
   }
 }
 

@@ -18,6 +18,7 @@
 #include "craze/job/dataset/croissant.h"
 #include "craze/job/dataset/shard_files.h"
 #include "craze/recipe/json_table.h"
+#include "craze/recipe/toml_text.h"
 
 namespace craze {
 
@@ -97,6 +98,18 @@ class ShardCheck {
   std::vector<std::string>& faults_;
 };
 
+/// Of a place that the TOML library names, bytes from the start. Its columns count characters.
+std::size_t offset_of(const std::string& text, const toml::source_position& place) {
+  std::size_t at = 0;
+  for (toml::source_index line = 1; line < place.line; ++line) at = text.find('\n', at) + 1;
+  const auto continues = [&] { return (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80; };
+  for (toml::source_index column = 1; column < place.column && at < text.size(); ++column) {
+    do ++at;
+    while (at < text.size() && continues());
+  }
+  return at;
+}
+
 }  // namespace
 
 PlanSource with_samples(const PlanSource& source, std::uint64_t samples) {
@@ -105,22 +118,17 @@ PlanSource with_samples(const PlanSource& source, std::uint64_t samples) {
     if (json.is_object()) json["samples"] = samples;
     return {json.is_object() ? json.dump(2) : source.text, source.name, source.folder};
   }
-  // Only a line of its own at the top can be put in another's place without reading TOML twice.
-  std::string text, line;
-  bool in_table = false;
-  for (std::size_t at = 0; at < source.text.size();) {
-    std::size_t end = source.text.find('\n', at);
-    end = end == std::string::npos ? source.text.size() : end + 1;
-    line = source.text.substr(at, end - at);
-    at = end;
-    const std::size_t first = line.find_first_not_of(" \t");
-    in_table |= first != std::string::npos && line[first] == '[';
-    const bool says = !in_table && first != std::string::npos &&
-                      line.compare(first, 7, "samples") == 0 &&
-                      line.find_first_not_of(" \t", first + 7) == line.find('=', first);
-    if (!says) text += line;
+  const toml::table root = parse_toml(source.text, source.name, "plan");
+  const toml::node* given = root.get("samples");
+  std::string text = source.text;
+  if (!given) {
+    text.insert(0, fmt::format("samples = {}\n", samples));
+  } else if (given->is_value()) {
+    const toml::source_region at = given->source();
+    const std::size_t from = offset_of(text, at.begin), to = offset_of(text, at.end);
+    text.replace(from, to - from, fmt::format("{}", samples));
   }
-  return {fmt::format("samples = {}\n{}", samples, text), source.name, source.folder};
+  return {text, source.name, source.folder};
 }
 
 DatasetResult make_dataset(const PlanSource& source, const fs::path& folder, Shard shard,

@@ -21,7 +21,8 @@ struct DatasetResult {
   std::uint64_t shards_left = 0;  ///< not there yet, of any --shard
 };
 
-/// The plan with another number of samples: its text, with that line in front.
+/// The plan with another number of samples: its text with that number in place of its own, or,
+/// where it has none, in a line in front. Throws Error(usage) where it is no TOML.
 PlanSource with_samples(const PlanSource& source, std::uint64_t samples);
 
 /// Makes the archives of a shard that are not there yet (shard_files.h). Where none is missing, of

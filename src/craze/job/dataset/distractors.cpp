@@ -1,11 +1,13 @@
 #include "craze/job/dataset/distractors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "craze/base/elementary.h"
 #include "craze/base/random.h"
+#include "craze/job/dataset/strewn_things.h"
 
 namespace craze {
 
@@ -52,6 +54,7 @@ class Strewer {
     return std::nullopt;
   }
 
+  Random& random() { return random_; }
   double between(double low, double high) { return random_.uniform(low, high); }
   double size() const { return std::sqrt(1.0 * projection_.width() * projection_.height()); }
 
@@ -64,6 +67,7 @@ class Strewer {
 
 Mark shadow(Strewer& s, Place p) {
   p.mark.shape = MarkShape::half;
+  p.mark.shadow = true;
   p.mark.softness = p.pixel * s.between(0.5, 0.03 * s.size());
   p.mark.unevenness = p.pixel * s.between(0, 0.1 * s.size());
   p.mark.strength = static_cast<float>(s.between(0.25, 0.65));
@@ -74,7 +78,8 @@ Mark stain(Strewer& s, Place p, const render::Rgb& color) {
   p.mark.shape = MarkShape::blob;
   p.mark.half_width = p.pixel * s.size() * s.between(0.01, 0.12);
   p.mark.softness = p.mark.half_width * s.between(0.05, 0.5);
-  p.mark.unevenness = p.mark.half_width * s.between(0.1, 0.6);
+  p.mark.half_length = p.mark.half_width * s.between(1, 3);
+  p.mark.unevenness = p.mark.half_width * s.between(0.2, 1.2);
   p.mark.color = static_cast<float>(s.between(0.15, 0.9)) * color;
   p.mark.strength = static_cast<float>(s.between(0.2, 0.8));
   return p.mark;
@@ -117,11 +122,63 @@ Mark seam(Strewer& s, const Place& p, const render::Rgb& color) {
   return m;
 }
 
+/// Rubber: a broad, faint, dark band, as of a tyre.
+Mark tyre(Strewer& s, const Place& p, const render::Rgb& color) {
+  const auto dark = static_cast<float>(s.between(0.15, 0.6));
+  const double half_width = s.size() * s.between(0.01, 0.08);
+  Mark m = line(s, p, dark * color, half_width, 4 * s.size());
+  m.bend = s.between(-0.1, 0.1) / (p.pixel * s.size());
+  m.softness = m.half_width * s.between(0.2, 0.8);
+  m.unevenness = m.half_width * s.between(0, 0.5);
+  m.strength = static_cast<float>(s.between(0.15, 0.6));
+  return m;
+}
+
+/// A painted line: broad, light or coloured, with worn edges.
+Mark painted_line(Strewer& s, const Place& p) {
+  const bool yellow = s.between(0, 1) < 0.3;
+  const auto light = static_cast<float>(s.between(0.3, 0.9));
+  const double half_width = s.between(2, 0.08 * s.size());
+  Mark m = line(s, p, light * render::Rgb(1, yellow ? 0.7f : 1, yellow ? 0.2f : 0.97f), half_width,
+                s.size() * s.between(0.3, 4));
+  m.unevenness = std::min(m.half_width, p.pixel * s.between(0, 6));
+  m.strength = static_cast<float>(s.between(0.4, 0.95));
+  return m;
+}
+
+/// A row of signs of a few strokes each.
+std::vector<Mark> lettering(Strewer& s, const Place& p, const render::Rgb& color) {
+  const auto light = static_cast<float>(s.between(0.05, 2.5));
+  const auto strength = static_cast<float>(s.between(0.5, 0.95));
+  const double height = s.size() * s.between(0.02, 0.12);
+  const double half_width = std::max(0.5, height * s.between(0.03, 0.1));
+  const Vec3 up = p.mark.normal.cross(p.mark.along);
+  const int signs = static_cast<int>(s.between(2, 8));
+  std::vector<Mark> marks;
+  for (int i = 0; i < signs; ++i) {
+    const int strokes = static_cast<int>(s.between(1, 4));
+    for (int k = 0; k < strokes; ++k) {
+      Place q = p;
+      const double right = height * (0.8 * i + s.between(-0.25, 0.25));
+      const double above = height * s.between(-0.3, 0.3);
+      // Mostly upright or level, as strokes of letters are.
+      const double turn = std::numbers::pi / 4 * std::floor(s.between(0, 4));
+      q.mark.point += p.pixel * (right * p.mark.along + above * up);
+      q.mark.along = elementary::cos(turn) * p.mark.along + elementary::sin(turn) * up;
+      const double half_length = height * s.between(0.2, 0.5);
+      marks.push_back(line(s, q, (light * color).min(0.95f), half_width, half_length));
+      marks.back().bend = s.between(-0.5, 0.5) / (p.pixel * half_length);
+      marks.back().strength = strength;
+    }
+  }
+  return marks;
+}
+
 }  // namespace
 
 std::vector<Mark> strewn_marks(const PlanValues& values, const SurfaceMesh& mesh,
                                const render::RayScene& rays, const Projection& projection,
-                               const render::Rgb& color, std::uint64_t seed) {
+                               const render::Rgb& color, const Vec3& lamp, std::uint64_t seed) {
   std::vector<Mark> marks;
   std::uint64_t kind = 0;
   // Each kind draws by itself: more of one moves none of the others.
@@ -129,14 +186,33 @@ std::vector<Mark> strewn_marks(const PlanValues& values, const SurfaceMesh& mesh
     Strewer strewer(mesh, rays, projection, hash_bits(seed ^ ++kind));
     for (double i = number_of(values, key); i >= 1; --i) {
       const auto place = strewer.place();
-      if (place) marks.push_back(make(strewer, *place));
+      if (!place) continue;
+      const std::vector<Mark> made = make(strewer, *place);
+      marks.insert(marks.end(), made.begin(), made.end());
     }
   };
-  strew("distractors.stain", [&](Strewer& s, const Place& p) { return stain(s, p, color); });
-  strew("distractors.joint", [&](Strewer& s, const Place& p) { return joint(s, p, color); });
-  strew("distractors.seam", [&](Strewer& s, const Place& p) { return seam(s, p, color); });
-  strew("distractors.scratch", [&](Strewer& s, const Place& p) { return scratch(s, p, color); });
-  strew("distractors.shadow", [&](Strewer& s, const Place& p) { return shadow(s, p); });
+  const auto one = [&](const char* key, const auto& make) {
+    strew(key, [&](Strewer& s, const Place& p) { return std::vector<Mark>(1, make(s, p)); });
+  };
+  const auto thing = [&](const char* key, const auto& make) {
+    strew(key, [&](Strewer& s, const Place& p) {
+      return make(ThingPlace{p.mark, p.pixel, s.size(), lamp}, s.random());
+    });
+  };
+  one("distractors.stain", [&](Strewer& s, const Place& p) { return stain(s, p, color); });
+  one("distractors.joint", [&](Strewer& s, const Place& p) { return joint(s, p, color); });
+  one("distractors.seam", [&](Strewer& s, const Place& p) { return seam(s, p, color); });
+  one("distractors.scratch", [&](Strewer& s, const Place& p) { return scratch(s, p, color); });
+  one("distractors.shadow", [&](Strewer& s, const Place& p) { return shadow(s, p); });
+  one("distractors.tyre", [&](Strewer& s, const Place& p) { return tyre(s, p, color); });
+  one("distractors.painted_line", [&](Strewer& s, const Place& p) { return painted_line(s, p); });
+  strew("distractors.lettering",
+        [&](Strewer& s, const Place& p) { return lettering(s, p, color); });
+  thing("distractors.pebble", pebble);
+  thing("distractors.hair", hair);
+  thing("distractors.twig", twig);
+  thing("distractors.grass", grass);
+  thing("distractors.rod", rod);
   return marks;
 }
 

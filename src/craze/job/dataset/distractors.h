@@ -12,9 +12,11 @@
 namespace craze {
 
 /// As many of each kind as the values say, where rays through random places of the picture meet the
-/// mesh; their sizes go with the picture's pixels. Model units.
+/// mesh; their sizes go with the picture's pixels. Model units. `lamp` is the unit vector towards
+/// the lamp.
 std::vector<render::Mark> strewn_marks(const PlanValues& values, const SurfaceMesh& mesh,
                                        const render::RayScene& rays, const Projection& projection,
-                                       const render::Rgb& color, std::uint64_t seed);
+                                       const render::Rgb& color, const Vec3& lamp,
+                                       std::uint64_t seed);
 
 }  // namespace craze

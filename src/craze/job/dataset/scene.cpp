@@ -1,6 +1,7 @@
 #include "craze/job/dataset/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -11,12 +12,14 @@
 #include "craze/error.h"
 #include "craze/io/files/extension.h"
 #include "craze/job/dataset/distractors.h"
+#include "craze/job/dataset/surface_look.h"
 #include "craze/job/load_surface.h"
 #include "craze/job/load_textures.h"
 #include "craze/output/source_file.h"
 #include "craze/products/cut_surface.h"
 #include "craze/products/opening/opened_surface.h"
 #include "craze/products/opening/shading_normals.h"
+#include "craze/render/studio.h"
 #include "craze/render/subject.h"
 
 namespace craze {
@@ -46,29 +49,6 @@ std::string pick_object(const std::string& name, const std::string& folder, Rand
   return files[random.below(files.size())];
 }
 
-render::Material surface_material(const PlanValues& values) {
-  render::Material m = render::find_material(word_of(values, "surface.material"));
-  const auto number = [&](const char* key) { return static_cast<float>(number_of(values, key)); };
-  const auto set = [&](const char* key, float& field) {
-    if (number(key) >= 0) field = number(key);
-  };
-  const float warmth = number("surface.warmth");
-  const render::Rgb tint(1 + 0.25f * warmth, 1, 1 - 0.25f * warmth);
-  m.color = (number("surface.brightness") * m.color * tint).min(0.95f);
-  set("surface.mottle", m.mottle);
-  set("surface.bump", m.bump);
-  set("surface.grit", m.grit);
-  set("surface.coat", m.coat);
-  set("surface.gloss", m.gloss);
-  m.aggregate = number("surface.aggregate");
-  m.aggregate_size = number("surface.aggregate_size");
-  m.line = (number("lines.brightness") * m.line).min(0.95f);
-  set("lines.darkness", m.line_strength);
-  set("lines.stain", m.stain);
-  set("lines.groove", m.groove);
-  return m;
-}
-
 render::PictureOptions picture_options(const PlanValues& values, const DatasetShape& shape,
                                        const render::Subject& subject, bool stands_on_z,
                                        std::uint64_t name) {
@@ -89,7 +69,7 @@ render::PictureOptions picture_options(const PlanValues& values, const DatasetSh
   options.ground = word_of(values, "camera.ground") == "yes";
   options.exposure =
       static_cast<float>(elementary::exp(elementary::log(2) * number_of(values, "image.exposure")));
-  options.material = surface_material(values);
+  options.material = surface_material(values, name);
   options.seed = name;
 
   Vec3 low = subject.points.front(), high = low;
@@ -226,8 +206,9 @@ Scene make_scene(const Plan& plan, const PlanValues& values, const DatasetShape&
   std::vector<Vec3> places;
   for (const Vec3& p : scene.mesh.positions) places.push_back(projection.to_render(p));
   const render::RayScene rays(places, scene.mesh.triangles);
-  scene.options.marks =
-      strewn_marks(values, scene.mesh, rays, projection, options.material.color, name);
+  const render::Studio studio(projection.camera(), options.material.backdrop, options.light);
+  scene.options.marks = strewn_marks(values, scene.mesh, rays, projection, options.material.color,
+                                     studio.lamp_direction().cast<double>(), name);
   const double pixel = projection.pixel_size(middle_depth(rays, projection));
   scene.options.line_width = pixel * number_of(values, "lines.width");
   if (clean || state.network.edges.empty()) return scene;
