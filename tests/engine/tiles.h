@@ -20,10 +20,11 @@ inline CrackedTile mud_tile(double spacing, std::uint64_t seed, const Context& c
   return crack_tile(mud_for_tiles(spacing, seed), {1, 0}, context);
 }
 
-/// The same with post.roughness, in sides.
+/// The same with post.roughness, in sides, and points as near to each other as it needs to be seen.
 inline CrackedTile rough_mud_tile(double spacing, std::uint64_t seed, double roughness) {
   Recipe recipe = mud_for_tiles(spacing, seed);
   recipe.post.roughness = roughness;
+  recipe.post.roughness_step = 0.001;
   return crack_tile(recipe, {1, 0}, {});
 }
 
