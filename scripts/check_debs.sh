@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 [ -f web/dist/index.html ] || (cd web && npm ci --no-audit --no-fund && npm run build)
 debs=build/debs root=$(mktemp -d)
-trap 'rm -rf "$root"' EXIT
+trap 'umount -q "$root/proc" || true; rm -rf "$root"' EXIT
 
 rm -rf "$debs"
 cpack -G DEB --config build/release/CPackConfig.cmake -B "$debs" > /dev/null
@@ -17,6 +17,7 @@ lintian --allow-root --fail-on error,warning --tag-display-limit 0 \
   --suppress-tags initial-upload-closes-no-bugs,maintscript-calls-ldconfig "$debs"/*.deb
 
 mmdebstrap --quiet --variant=apt bookworm "$root"
+mount -t proc proc "$root/proc"  # by which programs find what lies beside them
 cp "$debs"/*.deb tests/packages/consumer.c tests/packages/consumer.py "$root/tmp/"
 cp -r tests/consumer "$root/tmp/consumer"
 in_root() { chroot "$root" sh -euc "export DEBIAN_FRONTEND=noninteractive; cd /tmp; $1" < /dev/null; }
