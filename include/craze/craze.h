@@ -293,8 +293,8 @@ CRAZE_API const char* craze_maps_name(const craze_maps* maps, int64_t i);
 /* The i-th map: size * size rows, from the left and the top, of 1 or 3 columns, float32. */
 CRAZE_API craze_status craze_maps_array(const craze_maps* maps, int64_t i, craze_array* array,
                                         craze_error* error);
-/* What 0 and the largest number stand for where the i-th map is stored as whole numbers, for each of
- * its columns: the ranges of craze crack --maps. */
+/* What 0 and the largest number stand for where the i-th map is stored as whole numbers, for each
+ * of its columns: the ranges of craze crack --maps. */
 CRAZE_API craze_status craze_maps_range(const craze_maps* maps, int64_t i, double low[3],
                                         double high[3], craze_error* error);
 /* What could not be done as asked, one sentence at a time; NULL beyond the last. */
