@@ -1,11 +1,12 @@
 // Everything that leaves the page as a file.
+import { zipSync } from "three/examples/jsm/libs/fflate.module.js";
 import type { Engine } from "./engine/engine";
 import type { CrackRequest, OutputFile, Post, RecipeRequest } from "./engine/messages";
-import { zip } from "./files/zip";
 import { recordFilm } from "./scene/film";
 import type { Growth } from "./scene/growth";
 import type { Stage } from "./scene/stage";
 
+const firstDay = new Date(1980, 0, 1); // that ZIP knows: the same bytes every time
 const mapSize = 1024; // texels a side, as craze crack --maps has it
 
 /** What is exported: a run's result, and how it is opened. */
@@ -34,8 +35,11 @@ export class Exporting {
         const { toml } = await this.engine.recipe(this.what.recipe());
         return [{ name: "recipe.toml", bytes: new TextEncoder().encode(toml) }];
       }
-      case "maps.zip":
-        return [{ name: format, bytes: zip(await this.engine.maps(mapSize, this.what.post())) }];
+      case "maps.zip": {
+        const maps = await this.engine.maps(mapSize, this.what.post());
+        const files = Object.fromEntries(maps.map(({ name, bytes }) => [name, bytes]));
+        return [{ name: format, bytes: zipSync(files, { level: 0, mtime: firstDay }) }];
+      }
       case "svg":
         return this.engine.writeLines(name);
       case "png":

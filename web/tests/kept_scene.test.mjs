@@ -2,14 +2,12 @@
 // Needs the command: CRAZE_COMMAND, or build/release/craze.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
-import { createServer } from "node:http";
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { dirname, extname, join } from "node:path";
+import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { chromium } from "playwright-core";
-import { missing } from "./page.mjs";
+import { missing, openBrowser } from "./page.mjs";
 
 const web = dirname(dirname(fileURLToPath(import.meta.url)));
 const command = process.env.CRAZE_COMMAND ?? join(web, "../build/release/craze");
@@ -84,38 +82,26 @@ const viewer = `<!doctype html><link rel="icon" href="data:,">
   document.title = "ready";
 </script>`;
 
-const types = { ".js": "text/javascript", ".glb": "model/gltf-binary", ".png": "image/png" };
-let folder, server, browser, page;
 const said = [];
+let folder, browser, page;
 before(async () => {
   if (skip) return;
   folder = mkdtempSync(join(tmpdir(), "craze-"));
+  writeFileSync(join(folder, "viewer.html"), viewer);
   const run = (program, ...rest) => execFileSync(program, rest, { cwd: folder });
   run("python3", scene, "truck.glb");
   const glaze = ["--preset", "glaze", "--set", "layer.relative_spacing=0.12", "--quiet"];
   run(command, "crack", "truck.glb", ...glaze, "-o", "cracked.glb");
-  server = createServer((request, response) => {
-    const path = new URL(request.url, "http://localhost").pathname;
-    if (path === "/") return response.setHeader("content-type", "text/html").end(viewer);
-    const file = path.startsWith("/three/") ? join(web, "node_modules", path) : join(folder, path);
-    if (!existsSync(file)) return response.writeHead(404).end();
-    response.setHeader("content-type", types[extname(file)] ?? "application/octet-stream");
-    response.end(readFileSync(file));
-  });
-  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-  browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-  });
-  page = await browser.newPage();
+  const fileOf = (path) => join(path.startsWith("/three/") ? join(web, "node_modules") : folder, path);
+  browser = await openBrowser(fileOf);
+  page = await browser.browser.newPage();
   page.on("pageerror", (error) => said.push(error.message));
   page.on("console", (message) => message.type() === "error" && said.push(message.text()));
-  await page.goto(`http://127.0.0.1:${server.address().port}/`);
+  await page.goto(`${browser.origin}/viewer.html`);
   await page.waitForFunction(() => document.title === "ready");
 });
 after(async () => {
   await browser?.close();
-  server?.close();
   if (folder) rmSync(folder, { recursive: true });
 });
 

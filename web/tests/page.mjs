@@ -17,19 +17,22 @@ export const skip = missing ? `no ${missing}` : false;
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css" };
 const below = "/some/where/";
 
-function serve() {
+const ofThePage = (path) =>
+  path.startsWith(below) ? join(dist, path.slice(below.length) || "index.html") : "";
+
+function serve(fileOf) {
   const server = createServer((request, response) => {
-    const path = normalize(new URL(request.url, "http://localhost").pathname);
-    const file = join(dist, path.slice(below.length) || "index.html");
-    if (!path.startsWith(below) || !existsSync(file)) return response.writeHead(404).end();
+    const file = fileOf(normalize(new URL(request.url, "http://localhost").pathname));
+    if (!existsSync(file)) return response.writeHead(404).end();
     response.writeHead(200, { "content-type": types[extname(file)] ?? "application/octet-stream" });
     response.end(readFileSync(file));
   });
   return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server)));
 }
 
-export async function openBrowser() {
-  const server = await serve();
+/** A browser, and a server of what `fileOf` has for a path. */
+export async function openBrowser(fileOf = ofThePage) {
+  const server = await serve(fileOf);
   const browser = await chromium.launch({
     executablePath,
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],

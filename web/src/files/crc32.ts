@@ -1,4 +1,4 @@
-// The checksum of PNG and ZIP: CRC-32 with the polynomial 0xEDB88320, least bit first.
+// The checksum of PNG: CRC-32 with the polynomial 0xEDB88320, least bit first.
 
 const table = Uint32Array.from({ length: 256 }, (_, byte) => {
   let crc = byte;
