@@ -174,6 +174,30 @@ TEST(Simulation, IsHeardWhileItRelaxesAndGoesOnToTheSameEnd) {
   }
 }
 
+TEST(Simulation, IsHeardWhileItLooksAtTheNodesAndGoesOnWithTheRest) {
+  SimulationParameters p = small_run();
+  p.evolution.max_cracks = 2;
+  constexpr const char* shape =
+      "plate?n=140&jitter=0.3";  // more nodes than are looked at in one go
+  Simulation whole = simulation_of(shape, p);
+  whole.run({});
+  Simulation parts = simulation_of(shape, p);
+  Context context;
+  bool asked = false;
+  double looked_at = 0;
+  context.cancelled = [&] { return std::exchange(asked, !asked); };
+  context.progress = [&](const Progress& r) {
+    if (r.phase == "prepare") looked_at = r.fraction;
+  };
+  EXPECT_EQ(parts.run(context), StopReason::cancelled);
+  EXPECT_GT(looked_at, 0);
+  EXPECT_LT(looked_at, 1);
+  EXPECT_EQ(parts.events(), 0);
+  parts.run({});
+  EXPECT_EQ(parts.mesh().triangles(), whole.mesh().triangles());
+  EXPECT_EQ(parts.crack_times(), whole.crack_times());
+}
+
 TEST(Simulation, CancelledBeforeItStartsIsNone) {
   Context context;
   context.cancelled = [] { return true; };

@@ -52,8 +52,8 @@ void start(LastCycle& last, const SimulationSurface& surface,
   last.staggered = is_staggered(fields.onset);
   last.unloaded = starts_too_late(fields.onset, parameters.evolution.max_load);
   fields.healed = std::move(healed);
-  // The cycle before makes room. Without it there is nothing to keep but this one: not stopped
-  // here.
+  // The cycle before makes room. Without it there is nothing to keep but this one, which is stopped
+  // where its nodes are looked at, not here.
   Context onward = context;
   if (last.simulation) onward.cancelled = nullptr;
   last.simulation.reset();

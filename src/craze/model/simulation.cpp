@@ -236,6 +236,7 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
       relaxation_(make_relaxation(sheet_.mesh(), sheet_.field(),
                                   up_to(loading_->highest_load(), parameters_))),
       watch_(parameters_),
+      unmeasured_(sheet_.mesh().vertex_count()),
       // Twice the edges of the input: when as many pieces of crack are open, few are left whole.
       most_segments_(3 * std::int64_t{sheet_.mesh().face_count()} + 1000) {
   check_work(*loading_, *relaxation_);
@@ -244,18 +245,25 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
   fields_.adhesion_scale = {};
   fields_.fixed = {};
   fields_.pinned = {};
-  // 2. Compute the failure criteria for each node and store them in a priority queue.
-  constexpr std::int32_t slice = 1 << 16;
-  const std::int32_t nodes = sheet_.mesh().vertex_count();
-  for (std::int32_t begin = 0; begin < nodes; begin += slice) {
-    context.check();
-    for (std::int32_t v = begin; v < std::min(nodes, begin + slice); ++v) changed_.push_back(v);
+}
+
+bool Simulation::measure_all_nodes(const Context& context) {
+  constexpr std::int32_t slice = 1 << 14;
+  const std::int32_t nodes = mesh().vertex_count();
+  while (unmeasured_ > 0) {
+    if (context.is_cancelled()) return false;
+    const std::int32_t begin = nodes - unmeasured_, end = begin + std::min(unmeasured_, slice);
+    for (std::int32_t v = begin; v < end; ++v) changed_.push_back(v);
     update_failure_criteria(context);
-    context.report({"prepare", static_cast<double>(begin) / nodes, 0, sheet_.mesh().face_count()});
+    unmeasured_ = nodes - end;
+    context.report({"prepare", static_cast<double>(end) / nodes, 0, mesh().face_count()});
   }
+  return true;
 }
 
 StopReason Simulation::run(const Context& context, const OnOpened& on_opened) {
+  // 2. Compute the failure criteria for each node and store them in a priority queue.
+  if (!measure_all_nodes(context)) return stop_ = StopReason::cancelled;
   const bool starts = running_engine(parameters_) == Engine::quasistatic && events_ == 0;
   if (starts || interrupted_) {
     evolve(context);

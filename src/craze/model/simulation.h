@@ -47,14 +47,15 @@ struct OpenedSegment {
 /// parameters give the same bytes on any number of threads.
 class Simulation {
  public:
-  /// Steps 1 and 2 of the pseudo-code. Throws Error(request) where a field's size is wrong, a
+  /// Step 1 of the pseudo-code. Throws Error(request) where a field's size is wrong, a
   /// parameter or a stress is out of the range that can be computed with, or the work would take
   /// hours between two cracks; and Cancelled.
   Simulation(TriangleMesh mesh, SimulationFields fields, const SimulationParameters& parameters,
              const Context& context);
 
-  /// Step 3, until nothing can fail, a limit is reached or the context cancels. The state is
-  /// consistent whenever it returns. Throws Error(request) where it is not finite any more.
+  /// Steps 2 and 3, until nothing can fail, a limit is reached or the context cancels; called again
+  /// it goes on. The state is consistent whenever it returns. Throws Error(request) where it is not
+  /// finite any more.
   ///
   /// It ends: a pass opens at least one segment, of which there are at most most_segments_; or
   /// none, and stops as idle after a number of updates; of passes that update nothing there are no
@@ -92,6 +93,8 @@ class Simulation {
 
  private:
   double idle_work() const;
+  /// Whether it was not stopped on the way; goes on where it was.
+  bool measure_all_nodes(const Context& context);
   bool can_continue(const Context& context);
   bool fails_now(std::int32_t v) const;
   FailureWatch::Scene scene() { return {mesh(), field(), fields_, *loading_, *relaxation_}; }
@@ -114,6 +117,7 @@ class Simulation {
   std::vector<OpenedSegment> opened_;
   std::vector<std::int32_t> changed_;  // nodes to be evaluated again
 
+  std::int32_t unmeasured_;  // last nodes of the mesh whose failure was never looked at
   std::int64_t most_segments_;
   bool interrupted_ = false;  // while relaxing
   double idle_growth_ = 0;    // elements that grew since the last crack
