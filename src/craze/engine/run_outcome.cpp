@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "craze/engine/roughness/crack_chains.h"
 #include "craze/engine/spacing_rounds.h"
 
@@ -30,14 +32,12 @@ void resolve_roughness(PostParameters& post, const CrackNetwork& network) {
   post.roughness = post.relative_roughness * usual_length(crack_chains(network));
 }
 
-RoughnessOptions roughness_options(const Recipe& recipe, const SimulationSurface& surface) {
+RoughnessOptions roughness_options(const Recipe& recipe, const Simulation& simulation) {
   const PostParameters& post = recipe.post;
   RoughnessOptions options{post.roughness, post.roughness_exponent, post.roughness_step,
-                           recipe.simulation.seed, surface.forbidden};
-  const std::vector<double>& mask = surface.mask;
-  if (!mask.empty()) options.closed.resize(mask.size(), 0);
-  for (std::size_t f = 0; f < mask.size(); ++f) {
-    if (mask[f] == 0) options.closed[f] = 1;
+                           recipe.simulation.seed};
+  for (const double scale : simulation.toughness_scale()) {
+    options.closed.push_back(std::isinf(scale) ? 1 : 0);
   }
   return options;
 }

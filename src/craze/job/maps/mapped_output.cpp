@@ -89,7 +89,7 @@ std::vector<Vec3> flat_normals(const SurfaceMesh& surface) {
 /// The surface that the cracks were cut into, with UVs that maps can be baked in.
 SurfaceMesh surface_to_map(const Result& result, const SourceScene* scene, const Warn& warn,
                            const Context& context) {
-  SurfaceMesh surface = result.state().surface;
+  SurfaceMesh surface = *result.state().surface;
   if (is_document(scene)) {
     if (surface.corner_normals.empty()) surface.corner_normals = flat_normals(surface);
     return surface;

@@ -45,8 +45,8 @@ std::vector<Vec3> as_vectors(const Attribute& attribute) {
 /// that each of its triangles has a flat inner side however it was cut.
 std::vector<Vec3> outwards(const CrackedSurface& state, const TriangleMesh* refined) {
   SurfaceMesh uncut;
-  uncut.positions = state.surface.positions;
-  uncut.triangles = state.surface.triangles;
+  uncut.positions = state.surface->positions;
+  uncut.triangles = state.surface->triangles;
   uncut.vertex_attributes = {as_attribute(inner_directions(uncut.positions, uncut.triangles))};
   SurfaceMesh cut = state.with_attributes(uncut);
   if (refined) cut = transfer_attributes(cut, *refined);
