@@ -478,7 +478,7 @@ TEST(WithPost, IsWhatARunWithItIsToTheByte) {
   const std::vector<std::vector<std::string>> posts = {
       {"post.roughness=1%", "post.gap_width=0.3%"},
       {"post.relative_roughness=0.06", "post.roughness_exponent=0.6", "post.gap=0.05"},
-      {"post.wall=0.01", "post.gap_width=0.005"}};
+      {"post.wall=0.01", "post.gap_width=0.005", "post.late_width=0.4"}};
   for (const std::vector<std::string>& run : runs) {
     const auto run_with = [&](const std::vector<std::string>& post) {
       std::vector<std::string> settings(run.begin() + 1, run.end());

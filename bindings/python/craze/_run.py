@@ -82,7 +82,7 @@ class Result:
         gap : times the displacement ([IO06 Eq. 9]); wall : depth of side walls, length; curl :
         lift of the edges over their displacement; thickness : each fragment is a closed solid so
         deep, instead of walls; 0: none; core : what is left inside a closed surface is one too;
-        post : any other key of [post], such as roughness or roughness_exponent.
+        post : any other key of [post], such as roughness, relative_roughness or late_width.
         Raises Error.
         """
         opening = self._open(gap, wall, curl, thickness, core, post)

@@ -6,6 +6,7 @@
 
 #include "craze/engine/roughness/crack_chains.h"
 #include "craze/engine/spacing_rounds.h"
+#include "craze/engine/width_by_age.h"
 
 namespace craze {
 
@@ -18,10 +19,11 @@ constexpr double told_from = 0.1;  // of the length of the cracks: what is seen
 void resolve_gap(PostParameters& post, const CrackNetwork& network) {
   if (!(post.gap_width > 0)) return;
   double length = 0, opening = 0;  // of Eq. 9 with γ = 1, times the length
+  const WidthByAge by_age = width_by_age(post.late_width, network.edges);
   for (const CrackEdge& e : network.edges) {
     const double of_edge = network.length(e);
     length += of_edge;
-    opening += of_edge * e.width;
+    opening += of_edge * e.width * by_age.factor(e.time);
   }
   if (opening > 0) post.gap = post.gap_width * (length / opening);
   post.gap_width = 0;

@@ -168,7 +168,9 @@ MeshCounts write_mapped(const Result& result, const std::shared_ptr<const Source
                         const MappedOutput& output, const Warn& warn, const Context& context) {
   const SurfaceMesh surface = surface_to_map(result, scene.get(), warn, context);
   const MappedScene mapped = mapped_scene(surface, scene, warn, context);
-  MaterialMaps maps(mapped, output.stain, warn, context);
+  CrackStain stain = output.stain;
+  stain.late = output.post.late_width;
+  MaterialMaps maps(mapped, stain, warn, context);
   MapOptions options;
   options.size = std::clamp(maps.largest_picture(), output.size, MapOptions::largest_size);
   options.maps = CrackPictures::maps();
