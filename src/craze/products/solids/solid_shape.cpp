@@ -14,7 +14,8 @@ std::vector<Vec3> SolidShape::positions(const std::vector<double>& depth) const 
     const std::vector<Vec3>& from = is_core ? shut : opened;
     Vec3 top = from[b.from] + b.share * (from[b.to] - from[b.from]);
     if (!is_core && wedge > 0) {
-      top += std::min(wedge * depth[b.vertex], 1.0) * (shut[b.from] + b.share * (shut[b.to] - shut[b.from]) - top);
+      top += std::min(wedge * depth[b.vertex], 1.0) *
+             (shut[b.from] + b.share * (shut[b.to] - shut[b.from]) - top);
     }
     const double down = depth[b.vertex] + (is_core ? clearance[b.vertex] : 0);
     positions.push_back(top - down * outwards[b.vertex]);
