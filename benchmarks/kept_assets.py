@@ -124,14 +124,24 @@ def car(path):
     wheel = lathe([(0.05, -0.1, 0), (0.3, -0.1, 0.3), (0.3, 0.1, 0.7), (0.05, 0.1, 1)], 16)
     wheel = ([(x, z, -y) for x, y, z in wheel[0]], [(x, z, -y) for x, y, z in wheel[1]], *wheel[2:])
     parts = [("body", bevelled((1.6, 0.32, 0.7), 0.1), 0, [0, 0.55, 0]),
-             ("cabin", bevelled((0.8, 0.3, 0.6), 0.12), 0, [-0.1, 1.1, 0])]
+             ("roof", bevelled((0.72, 0.06, 0.6), 0.05), 0, [-0.1, 1.42, 0])]
     for side in (-1, 1):
-        for x in (-0.5, 0.25):
-            parts.append(("window", box((0.26, 0.13, 0.01)), 1, [x, 1.13, 0.6 * side]))
+        for x in (-0.76, -0.1, 0.56):
+            parts.append(("pillar", box((0.04, 0.26, 0.04)), 0, [x, 1.13, 0.54 * side]))
         for x in (-0.95, 0.95):
             parts.append(("wheel", wheel, 2, [x, 0.3, 0.66 * side]))
-    save(path, parts, [material("paint", (0.6, 0.06, 0.05)), material("glass", (0.3, 0.5, 0.6)),
-                       material("rubber", (0.03, 0.03, 0.03))])
+        for x in (-0.45, 0.15):
+            parts.append(("seat", box((0.17, 0.06, 0.2)), 3, [x, 0.93, 0.27 * side]))
+            parts.append(("back", box((0.04, 0.2, 0.2)), 3, [x - 0.2, 1.1, 0.27 * side]))
+        pane = [(-0.76, 0.87, 0.54), (0.56, 0.87, 0.54), (0.56, 1.37, 0.54), (-0.76, 1.37, 0.54)]
+        parts.append(("side window", flat([[(x, y, z * side) for x, y, z in pane]]), 1, [0, 0, 0]))
+    for x in (-0.76, 0.56):
+        pane = [(x, 0.87, -0.54), (x, 0.87, 0.54), (x, 1.37, 0.54), (x, 1.37, -0.54)]
+        parts.append(("screen", flat([pane]), 1, [0, 0, 0]))
+    glass = material("glass", (0.45, 0.7, 0.75), alphaMode="BLEND", doubleSided=True)
+    glass["pbrMetallicRoughness"]["baseColorFactor"][3] = 0.3
+    save(path, parts, [material("paint", (0.6, 0.06, 0.05)), glass,
+                       material("rubber", (0.03, 0.03, 0.03)), material("leather", (0.7, 0.45, 0.2))])
 
 
 ASSETS = [

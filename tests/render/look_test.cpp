@@ -17,6 +17,10 @@ craze::Image four_colors() {
   return image;
 }
 
+void expect_color(const Rgba& is, const Rgb& wanted) {
+  EXPECT_LT((is.head<3>() - wanted).abs().maxCoeff(), 1e-6) << is.transpose();
+}
+
 void expect_color(const Rgb& is, const Rgb& wanted) {
   EXPECT_LT((is - wanted).abs().maxCoeff(), 1e-6) << is.transpose();
 }
@@ -36,16 +40,39 @@ TEST(Look, GreyPicturesAreGrey) {
   image.channels = 2;
   image.values = std::vector<std::uint16_t>{65535, 0};
   expect_color(ColorTexture(image).sample({0.5f, 0.5f}), {1, 1, 1});
+  EXPECT_EQ(ColorTexture(image).sample({0.5f, 0.5f})[3], 0) << "and may be see-through";
 }
 
 TEST(Look, TheFactorMultipliesTheTextureWhereItIsPlaced) {
   Look look;
   look.color = {0.5f, 0.25f, 1};
-  expect_color(look.at({0, 0}), look.color);
+  expect_color(look.at({0, 0}).color, look.color);
   look.texture = std::make_shared<const ColorTexture>(four_colors());
   look.place << 1, 0, 0.5f, 0, 1, 0;
-  expect_color(look.at({0.25f, 0.25f}), look.color);  // white
-  expect_color(look.at({0.25f, 0.75f}), {0, 0.25f, 0});
+  expect_color(look.at({0.25f, 0.25f}).color, look.color);  // white
+  expect_color(look.at({0.25f, 0.75f}).color, {0, 0.25f, 0});
+}
+
+TEST(Look, AlphaCoversAsItsModeSays) {
+  craze::Image image;
+  image.width = image.height = 1;
+  image.channels = 4;
+  image.values = std::vector<std::uint8_t>{255, 255, 255, 51};  // a fifth
+  Look look;
+  look.opacity = 0.5f;
+  look.texture = std::make_shared<const ColorTexture>(image);
+  EXPECT_EQ(look.at({0, 0}).cover, 1);
+  EXPECT_FALSE(look.is_see_through());
+  look.alpha = Look::Alpha::blended;
+  EXPECT_FLOAT_EQ(look.at({0, 0}).cover, 0.1f);
+  EXPECT_TRUE(look.is_see_through());
+  look.alpha = Look::Alpha::cut;
+  EXPECT_EQ(look.at({0, 0}).cover, 0);
+  look.cutoff = 0.1f - 1e-6f;
+  EXPECT_EQ(look.at({0, 0}).cover, 1);
+  look.texture = nullptr;
+  look.cutoff = 0.5f;
+  EXPECT_FALSE(look.is_see_through()) << "as much as the cutoff is enough";
 }
 
 /// Two squares side by side, seen from straight above.
@@ -94,6 +121,98 @@ TEST(Look, WallsAndMaterialsBeyondKeepThePicturesOwn) {
   squares.mesh.face_materials = {-1, -1, -1, -1};
   const auto none = squares.pixel(20, 20);
   EXPECT_NEAR(none[0], none[1], 25);
+}
+
+/// A pane over a red floor, seen from straight above.
+struct PaneOverFloor {
+  SurfaceMesh mesh;
+  PictureOptions options;
+
+  explicit PaneOverFloor(const Look& pane, int panes = 1) {
+    const auto add_square = [&](double low, double high, double z, std::int32_t material) {
+      const auto first = static_cast<std::int32_t>(mesh.positions.size());
+      mesh.positions.insert(mesh.positions.end(),
+                            {{low, low, z}, {high, low, z}, {high, high, z}, {low, high, z}});
+      mesh.triangles.push_back({first, first + 1, first + 2});
+      mesh.triangles.push_back({first, first + 2, first + 3});
+      mesh.face_materials.insert(mesh.face_materials.end(), 2, material);
+    };
+    add_square(0, 1, 0, 0);
+    for (int i = 1; i <= panes; ++i) add_square(0.2, 0.8, 0.05 * i, 1);
+    mesh.material_names = {"floor", "pane"};
+    options.looks = {Look{{0.7f, 0.05f, 0.05f}, nullptr, {}}, pane};
+    options.view.elevation = 90;
+    options.view.up = UpAxis::z;
+    options.width = options.height = 60;
+    options.samples = 64;
+    options.ground = false;
+    options.material = find_material("plaster");
+    options.material.mottle = options.material.bump = 0;
+    options.subject.points = mesh.positions;
+  }
+  std::array<int, 3> middle() const {
+    const Image image = render_picture(mesh, nullptr, options, {});
+    const std::size_t i = 3 * (30 * 60 + 30);
+    return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
+  }
+  /// Without panes.
+  std::array<int, 3> bare() {
+    mesh.triangles.resize(2);
+    mesh.face_materials.resize(2);
+    return middle();
+  }
+};
+
+Look blue_pane(Look::Alpha alpha, float opacity) {
+  Look look;
+  look.color = {0.05f, 0.05f, 0.7f};
+  look.alpha = alpha;
+  look.opacity = opacity;
+  return look;
+}
+
+TEST(SeeThrough, WhatIsCutOutIsNotThere) {
+  for (const int panes : {1, 5}) {
+    PaneOverFloor cut(blue_pane(Look::Alpha::cut, 0.4f), panes);
+    const auto seen = cut.middle();
+    EXPECT_EQ(seen, cut.bare()) << panes;
+  }
+}
+
+TEST(SeeThrough, ABlendedPaneShowsAsMuchOfTheFloorAsItDoesNotCover) {
+  const auto pane = PaneOverFloor(blue_pane(Look::Alpha::blended, 1)).middle();
+  PaneOverFloor floor(blue_pane(Look::Alpha::blended, 1));
+  const auto bare = floor.bare();
+  ASSERT_GT(bare[0], pane[0] + 80);
+  int last = bare[0];
+  for (const float opacity : {0.1f, 0.5f, 0.9f}) {
+    const auto seen = PaneOverFloor(blue_pane(Look::Alpha::blended, opacity)).middle();
+    EXPECT_LT(seen[0], last) << opacity;
+    EXPECT_GT(seen[0], pane[0]) << opacity;
+    last = seen[0];
+  }
+  const auto two = PaneOverFloor(blue_pane(Look::Alpha::blended, 0.5f), 2).middle();
+  EXPECT_LT(two[0], PaneOverFloor(blue_pane(Look::Alpha::blended, 0.5f)).middle()[0]);
+  EXPECT_EQ(PaneOverFloor(blue_pane(Look::Alpha::ignored, 0.1f)).middle(), pane);
+}
+
+TEST(SeeThrough, TransmittedLightTakesTheColourOfTheGlass) {
+  Look glass;
+  glass.transmission = 1;
+  PaneOverFloor clear(glass);
+  const auto through = clear.middle(), bare = clear.bare();
+  EXPECT_GT(through[0], 0.8 * bare[0]);
+  glass.color = {0.1f, 1, 1};
+  EXPECT_LT(PaneOverFloor(glass).middle()[0], 0.6 * through[0]);
+}
+
+TEST(SeeThrough, IsTheSameOnAnyNumberOfThreads) {
+  const PaneOverFloor scene(blue_pane(Look::Alpha::blended, 0.5f), 3);
+  Context one, many;
+  one.threads = 1;
+  many.threads = 3;
+  EXPECT_EQ(render_picture(scene.mesh, nullptr, scene.options, one).rgb,
+            render_picture(scene.mesh, nullptr, scene.options, many).rgb);
 }
 
 }  // namespace

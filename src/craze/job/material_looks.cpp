@@ -20,7 +20,8 @@ bool has_texture(const MaterialLook& look) {
 
 bool says_something(const MaterialLook& look) {
   const Color& c = look.base_color;
-  return has_texture(look) || c[0] != c[1] || c[1] != c[2];
+  return has_texture(look) || c[0] != c[1] || c[1] != c[2] || look.transmission > 0 ||
+         look.alpha != MaterialLook::Alpha::ignored;
 }
 
 class TextureReader {
@@ -69,7 +70,13 @@ std::vector<render::Look> material_looks(const std::vector<MaterialLook>& looks,
   std::vector<render::Look> shown;
   for (const MaterialLook& look : looks) {
     const Color& c = look.base_color;
-    shown.push_back({{c[0], c[1], c[2]}, textures.of(look), look.texture_place.cast<float>()});
+    shown.push_back({{c[0], c[1], c[2]},
+                     textures.of(look),
+                     look.texture_place.cast<float>(),
+                     look.alpha,
+                     c[3],
+                     look.alpha_cutoff,
+                     look.transmission});
   }
   return shown;
 }

@@ -1,5 +1,6 @@
 #include "craze/render/look.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace craze::render {
@@ -27,32 +28,48 @@ ColorTexture::ColorTexture(const craze::Image& image) : width_(image.width), hei
     return static_cast<std::uint8_t>(std::lround(255 * value));
   };
   pixels_.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-  const bool grey = image.channels < 3;
+  const bool grey = image.channels < 3, has_alpha = image.channels % 2 == 0;
   for (std::int32_t y = 0; y < height_; ++y) {
     for (std::int32_t x = 0; x < width_; ++x) {
-      pixels_.push_back({byte(x, y, 0), byte(x, y, grey ? 0 : 1), byte(x, y, grey ? 0 : 2)});
+      const std::uint8_t alpha = has_alpha ? byte(x, y, image.channels - 1) : 255;
+      if (alpha < 255) is_opaque_ = false;
+      pixels_.push_back({byte(x, y, 0), byte(x, y, grey ? 0 : 1), byte(x, y, grey ? 0 : 2), alpha});
     }
   }
   for (int i = 0; i < 256; ++i) linear_[i] = srgb_to_linear(static_cast<float>(i) / 255.0f);
 }
 
-Rgb ColorTexture::pixel(std::int32_t x, std::int32_t y) const {
+Rgba ColorTexture::pixel(std::int32_t x, std::int32_t y) const {
   const auto& p = pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                           static_cast<std::size_t>(x)];
-  return {linear_[p[0]], linear_[p[1]], linear_[p[2]]};
+  return {linear_[p[0]], linear_[p[1]], linear_[p[2]], static_cast<float>(p[3]) / 255};
 }
 
-Rgb ColorTexture::sample(const Eigen::Vector2f& uv) const {
+Rgba ColorTexture::sample(const Eigen::Vector2f& uv) const {
   const Neighbours c = neighbours(uv.x(), width_), r = neighbours(1 - uv.y(), height_);
-  const auto row = [&](std::int32_t y) -> Rgb {
+  const auto row = [&](std::int32_t y) -> Rgba {
     return (1 - c.weight) * pixel(c.first, y) + c.weight * pixel(c.second, y);
   };
   return (1 - r.weight) * row(r.first) + r.weight * row(r.second);
 }
 
-Rgb Look::at(const Eigen::Vector2f& uv) const {
-  if (!texture) return color;
-  return color * texture->sample(place * Eigen::Vector3f(uv.x(), uv.y(), 1));
+LookSample Look::of(const Rgb& its_color, float its_alpha) const {
+  LookSample sample{its_color, 1, transmission};
+  if (alpha == Alpha::cut) sample.cover = its_alpha < cutoff ? 0 : 1;
+  if (alpha == Alpha::blended) sample.cover = std::clamp(its_alpha, 0.0f, 1.0f);
+  return sample;
+}
+
+LookSample Look::at(const Eigen::Vector2f& uv) const {
+  if (!texture) return at_factor();
+  const Rgba sample = texture->sample(place * Eigen::Vector3f(uv.x(), uv.y(), 1));
+  return of(color * sample.head<3>(), opacity * sample[3]);
+}
+
+bool Look::is_see_through() const {
+  if (transmission > 0) return true;
+  if (alpha == Alpha::ignored) return false;
+  return (texture && !texture->is_opaque()) || at_factor().cover < 1;
 }
 
 }  // namespace craze::render

@@ -8,6 +8,16 @@ namespace craze::render {
 
 constexpr float ray_offset = 2e-5f;  ///< render units: far more than rounding
 
+/// Surfaces that a ray may be followed through: more than a picture shows apart, and enough for the
+/// leaves of a tree.
+constexpr int most_layers = 64;
+constexpr float least_seen = 1.0f / 512;  ///< of what lies behind
+
+/// Where a ray goes on behind a hit: near enough not to miss what lies right below it.
+inline float behind(const Hit& hit, const Ray& ray) {
+  return hit.distance * (1 + 2e-6f) + 1e-6f / ray.direction.norm();
+}
+
 inline Vec3f mirrored(const Vec3f& d, const Vec3f& n) {
   return (d - 2 * d.dot(n) * n).normalized();
 }

@@ -7,21 +7,20 @@
 
 namespace craze::render {
 
-namespace {
-
-/// The colour of the body itself, without its cracks.
-Rgb body_color(const TracedModel& model, const Material& material, const Hit& hit) {
-  const std::int32_t index = model.looks.empty()  ? -1
-                             : model.look.empty() ? 0
-                                                  : model.look[hit.face];
-  if (index < 0) return material.color;
-  const Look& look = model.looks[index];
-  if (model.uvs.empty()) return look.color;
-  const Eigen::Vector2f* uv = &model.uvs[static_cast<std::size_t>(3) * hit.face];
-  return look.at((1 - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2]);
+const Look* TracedModel::look_of(std::int32_t face) const {
+  if (is_wall[face]) return nullptr;
+  const std::int32_t index = looks.empty() ? -1 : look.empty() ? 0 : look[face];
+  return index < 0 ? nullptr : &looks[index];
 }
 
-}  // namespace
+LookSample body_at(const TracedModel& model, const Material& material, const Hit& hit) {
+  if (model.is_wall[hit.face]) return {material.wall};
+  const Look* look = model.look_of(hit.face);
+  if (!look) return {material.color};
+  if (model.uvs.empty()) return look->at_factor();
+  const Eigen::Vector2f* uv = &model.uvs[static_cast<std::size_t>(3) * hit.face];
+  return look->at((1 - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2]);
+}
 
 float fresnel(float cosine) {
   // Schlick's approximation for a refractive index of 1.5.
@@ -43,7 +42,6 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
   const Vec3f* n = &model.normals[static_cast<std::size_t>(3) * hit.face];
 
   Surface s;
-  s.lit = true;
   s.view = ray.direction.normalized();
   s.position = w0 * a + hit.u * b + hit.v * c;
   s.geometric = (b - a).cross(c - a).stableNormalized();
@@ -64,13 +62,18 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
   }
 
   const bool wall = model.is_wall[hit.face] != 0;
-  s.albedo = wall ? material.wall : body_color(model, material, hit);
-  s.coat = wall ? 0 : material.coat;
+  const LookSample body = body_at(model, material, hit);
+  s.cover = body.cover;
+  s.clear = body.clear();
+  s.albedo = body.cover * (1 - body.transmission) * body.color;
+  s.coat = wall ? 0 : body.cover * std::max(material.coat, body.transmission);
   const MarkSample mark =
       wall || model.marks.empty() ? MarkSample{} : marks_at(model.marks, s.place, footprint);
   if (!wall) {
     // Colours of marks are premultiplied by their cover.
     s.albedo = (1 - mark.cover) * s.albedo + mark.color;
+    s.clear *= 1 - mark.cover;
+    s.cover += mark.cover * (1 - s.cover);
     s.normal = (s.normal + mark.tilt).normalized();
     const LineSample line = line_at(model, hit, s.place, footprint);
     float core = line.core * material.line_strength;
@@ -79,7 +82,10 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
       core *= 1 - material.patchiness * smoothstep(-0.4f, 0.5f, pale);
     }
     s.albedo *= 1 - line.stain * material.stain;
+    s.clear *= 1 - line.stain * material.stain;
     s.albedo += core * (material.line - s.albedo);
+    s.clear *= 1 - core;
+    s.cover += core * (1 - s.cover);
     s.coat *= 1 - 0.7f * core;
     const float lean = model.lines && model.lines->shows_gaps() ? material.worn : material.groove;
     s.normal = (s.normal + lean * line.tilt).normalized();
@@ -89,6 +95,8 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
   if (away > -0.01f) s.normal = (s.normal - (away + 0.01f) * s.view).normalized();
   s.coat *= fresnel(-s.normal.dot(s.view));
   s.albedo *= (1 - s.coat) * mark.light;
+  s.clear *= 1 - s.coat;
+  s.lit = s.cover > 0;
   return s;
 }
 

@@ -26,6 +26,9 @@ struct TracedModel {
   std::vector<Eigen::Vector2f> uvs;   ///< 3 #F; empty: none, and textures do not count
   const LinePainter* lines = nullptr;
   std::vector<Mark> marks;
+
+  /// Null: the material's own.
+  const Look* look_of(std::int32_t face) const;
 };
 
 /// A lit point of the object or the floor.
@@ -37,8 +40,11 @@ struct Surface {
   /// would shade each other in a pattern along the edge of the light.
   Vec3f raised = Vec3f::Zero();
   Vec3f view = Vec3f::UnitZ();  ///< unit, from the eye
+  /// All of these but `clear` count only as far as the place is covered.
   Rgb albedo = Rgb::Zero();
-  float coat = 0;  ///< part of the light that the coat mirrors
+  float coat = 0;           ///< part of the light that the coat mirrors
+  float cover = 1;          ///< 0 … 1
+  Rgb clear = Rgb::Zero();  ///< what is seen of whatever lies behind
 };
 
 /// Small irregularities of a material at a place.
@@ -49,6 +55,9 @@ struct Grain {
 
 /// Part of the light that a clear, smooth surface mirrors at that cosine to its normal.
 float fresnel(float cosine);
+
+/// The body itself at a hit, without its cracks.
+LookSample body_at(const TracedModel& model, const Material& material, const Hit& hit);
 
 /// The surface at a hit, its normals towards the eye, with crack lines drawn.
 Surface surface_at(const TracedModel& model, const Material& material, const Ray& ray,

@@ -15,6 +15,10 @@ constexpr float bounce = 0.22f;
 /// Within this distance of the object's centre the floor may be in its shadow.
 constexpr float floor_radius = 2;
 
+bool any_active(const RayScene::Rays& rays) {
+  return std::any_of(rays.begin(), rays.end(), [](const Ray& ray) { return ray.active; });
+}
+
 }  // namespace
 
 Tracer::Tracer(const TracedModel& model, const Material& material, const Camera& camera,
@@ -25,6 +29,7 @@ Tracer::Tracer(const TracedModel& model, const Material& material, const Camera&
       camera_(camera),
       studio_(studio),
       scene_(model.positions, model.triangles),
+      light_left_(model, material, scene_),
       has_floor_(!standing.empty()),
       groups_(groups),
       samples_(groups * RayScene::lanes, seed) {
@@ -56,34 +61,35 @@ Rgb Tracer::backdrop(const Vec3f& direction) const {
   return studio_.backdrop(x, y);
 }
 
-float Tracer::floor_light(const Surface& s, bool lamp_hidden, bool sky_hidden) const {
+float Tracer::floor_light(const Surface& s, float lamp_left, float sky_left) const {
   // Glass lets most of the light through.
   const float shade = material_.glass ? 0.35f : 0.9f;
   const float lamp = luminance(studio_.lamp_light()) * s.normal.dot(studio_.lamp_direction());
   const float sky = luminance(studio_.sky(studio_.vertical()));
-  const float received = (lamp_hidden ? 0 : lamp) + (sky_hidden ? 0.12f * sky : sky);
+  const float received = lamp_left * lamp + (0.12f * (1 - sky_left) + sky_left) * sky;
   const float near = 1 - smoothstep(0.5f * floor_radius, floor_radius, s.position.norm());
   return 1 - shade * near * (1 - received / (lamp + sky));
 }
 
-Rgb Tracer::object_light(const Surface& s, const Ray& lamp, bool lamp_hidden, const Ray& sky,
-                         bool sky_hidden) const {
-  Rgb light = sky_hidden ? Rgb(bounce * s.albedo.max(0.05f).sqrt()) : studio_.sky(sky.direction);
-  const float facing = s.normal.dot(lamp.direction);
-  if (!lamp_hidden && facing > 0) light += facing * studio_.lamp_light();
+Rgb Tracer::object_light(const Surface& s, const Ray& to_lamp, float lamp, const Ray& to_sky,
+                         float sky) const {
+  Rgb light = (1 - sky) * bounce * s.albedo.max(0.05f).sqrt() + sky * studio_.sky(to_sky.direction);
+  const float facing = s.normal.dot(to_lamp.direction);
+  if (facing > 0) light += lamp * facing * studio_.lamp_light();
   return light;
 }
 
-Rgb Tracer::sheen(const Surface& s, const Ray& lamp, bool lamp_hidden) const {
-  if (lamp_hidden || material_.gloss == 0 || s.is_floor) return Rgb::Zero();
-  const Vec3f half = (lamp.direction - s.view).normalized();
+Rgb Tracer::sheen(const Surface& s, const Ray& to_lamp, float lamp) const {
+  if (lamp == 0 || material_.gloss == 0 || s.is_floor) return Rgb::Zero();
+  const Vec3f half = (to_lamp.direction - s.view).normalized();
   const float c = std::max(0.0f, half.dot(s.normal)), c3 = c * c * c, c9 = c3 * c3 * c3;
   const float highlight = c9 * c9;
-  return material_.gloss * highlight * studio_.lamp_light();
+  return lamp * s.cover * material_.gloss * highlight * studio_.lamp_light();
 }
 
-void Tracer::light(const Surfaces& surfaces, const PixelSamples& samples, int first, int count,
-                   float weight, Pixel& sum) const {
+void Tracer::light(const Surfaces& surfaces, const std::array<Rgb, RayScene::lanes>& through,
+                   const PixelSamples& samples, int first, int count, float weight,
+                   Pixel& sum) const {
   Lanes lamp, sky, mirror;
   bool any_mirror = false;
   for (int i = 0; i < count; ++i) {
@@ -99,30 +105,44 @@ void Tracer::light(const Surfaces& surfaces, const PixelSamples& samples, int fi
       mirror[i] = ray_from(s.raised, s.geometric, reflected(s));
     }
   }
-  RayScene::Flags lamp_hidden, sky_hidden, mirror_hidden{};
-  scene_.occluded(lamp, lamp_hidden);
-  scene_.occluded(sky, sky_hidden);
-  if (any_mirror) scene_.occluded(mirror, mirror_hidden);
+  LightLeft::Lanes lamp_left, sky_left, mirror_left{};
+  light_left_.along(lamp, lamp_left);
+  light_left_.along(sky, sky_left);
+  if (any_mirror) light_left_.along(mirror, mirror_left);
 
   for (int i = 0; i < count; ++i) {
     const Surface& s = surfaces[i];
     if (!s.lit) continue;
-    const Rgb received = s.is_floor
-                             ? Rgb(Rgb::Constant(floor_light(s, lamp_hidden[i], sky_hidden[i])))
-                             : object_light(s, lamp[i], lamp_hidden[i], sky[i], sky_hidden[i]);
-    sum.albedo += weight * s.albedo;
-    sum.light += weight * received;
-    sum.diffuse += weight * s.albedo * received;
-    sum.direct += weight * sheen(s, lamp[i], lamp_hidden[i]);
+    const Rgb received = s.is_floor ? Rgb(Rgb::Constant(floor_light(s, lamp_left[i], sky_left[i])))
+                                    : object_light(s, lamp[i], lamp_left[i], sky[i], sky_left[i]);
+    const Rgb share = weight * through[i];
+    const float part = share.mean() * (1 - s.clear.mean());  // of the pixel
+    sum.albedo += share * s.albedo;
+    sum.light += part * received;
+    sum.diffuse += share * s.albedo * received;
+    sum.direct += share * sheen(s, lamp[i], lamp_left[i]);
     if (s.coat > 0) {
-      sum.direct +=
-          weight * s.coat *
-          (mirror_hidden[i] ? Rgb(0.4f * s.albedo) : studio_.reflection(mirror[i].direction));
+      const float left = mirror_left[i];
+      sum.direct += share * s.coat *
+                    ((1 - left) * 0.4f * s.albedo + left * studio_.reflection(mirror[i].direction));
     }
-    sum.normal += weight * s.normal;
-    sum.position += weight * s.position;
-    if (s.is_floor) sum.floor += weight;
+    sum.normal += part * s.normal;
+    sum.position += part * s.position;
+    if (s.is_floor) sum.floor += part;
   }
+}
+
+Surface Tracer::surface_seen(const Ray& ray, const Hit& hit, float footprint,
+                             std::optional<Grain>& grain) const {
+  if (hit.face < 0) return floor_or_backdrop(ray);
+  Surface s = surface_at(model_, material_, ray, hit, footprint);
+  if (!grain) {
+    grain = grain_at(material_, s.place, model_.pieces.empty() ? 0 : model_.pieces[hit.face],
+                     model_.is_wall[hit.face] != 0, footprint);
+  }
+  s.albedo *= grain->tint;
+  s.normal = (s.normal + grain->tilt - grain->tilt.dot(s.normal) * s.normal).normalized();
+  return s;
 }
 
 Pixel Tracer::trace(int x, int y, int width, int height) const {
@@ -134,7 +154,8 @@ Pixel Tracer::trace(int x, int y, int width, int height) const {
   const Vec3f down = (-2 * camera_.tan_y / height * camera_.up).cast<float>();
 
   Pixel sum;
-  std::optional<Grain> grain;  // the same for all samples: it is far coarser than a pixel
+  // The same for all samples of a layer: it is far coarser than a pixel.
+  std::array<std::optional<Grain>, most_layers + 1> grains;
   for (int group = 0; group < groups_; ++group) {
     const int first = group * RayScene::lanes;
     Lanes rays;
@@ -150,27 +171,33 @@ Pixel Tracer::trace(int x, int y, int width, int height) const {
     // The empty floor is smooth: half of the samples will do.
     const int count = object ? RayScene::lanes : RayScene::lanes / 2;
     const float weight = static_cast<float>(RayScene::lanes) / static_cast<float>(count);
-    Surfaces surfaces;
-    for (int i = 0; i < count; ++i) {
-      Surface& s = surfaces[i];
-      const float footprint = hits[i].distance * down.norm();
-      if (hits[i].face < 0) {
-        s = floor_or_backdrop(rays[i]);
-        if (!s.lit) sum.direct += weight * s.albedo;
-      } else if (material_.glass) {
-        sum.direct += through_glass(rays[i], hits[i], footprint);
-      } else {
-        s = surface_at(model_, material_, rays[i], hits[i], footprint);
-        if (!grain) {
-          const std::int32_t face = hits[i].face;
-          grain = grain_at(material_, s.place, model_.pieces.empty() ? 0 : model_.pieces[face],
-                           model_.is_wall[face] != 0, footprint);
+    for (int i = count; i < RayScene::lanes; ++i) rays[i].active = false;
+    std::array<Rgb, RayScene::lanes> through;
+    through.fill(Rgb::Ones());
+    for (int layer = 0; any_active(rays); ++layer) {
+      if (layer > 0) scene_.intersect(rays, hits);
+      if (layer == most_layers) hits.fill({});
+      Surfaces surfaces;
+      for (int i = 0; i < count; ++i) {
+        if (!rays[i].active) continue;
+        const float footprint = hits[i].distance * down.norm();
+        if (material_.glass && hits[i].face >= 0) {
+          sum.direct += through_glass(rays[i], hits[i], footprint);
+        } else {
+          surfaces[i] = surface_seen(rays[i], hits[i], footprint, grains[layer]);
+          if (hits[i].face < 0 && !surfaces[i].lit) {
+            sum.direct += weight * through[i] * surfaces[i].albedo;
+          }
         }
-        s.albedo *= grain->tint;
-        s.normal = (s.normal + grain->tilt - grain->tilt.dot(s.normal) * s.normal).normalized();
+      }
+      light(surfaces, through, samples, first, count, weight, sum);
+      for (int i = 0; i < count; ++i) {
+        if (!rays[i].active) continue;
+        through[i] *= surfaces[i].clear;
+        rays[i].near = behind(hits[i], rays[i]);
+        rays[i].active = through[i].maxCoeff() > least_seen;
       }
     }
-    light(surfaces, samples, first, count, weight, sum);
   }
 
   const float scale = 1.0f / static_cast<float>(groups_ * RayScene::lanes);

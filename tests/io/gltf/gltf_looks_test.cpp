@@ -66,6 +66,30 @@ TEST(GltfLooks, TheFactorIsWhiteUnlessGiven) {
   EXPECT_FALSE(look_of(json).texture);
 }
 
+TEST(GltfLooks, AlphaCountsAsItsModeSays) {
+  Json json = document();
+  json["materials"][0]["pbrMetallicRoughness"] = {{"baseColorFactor", {1, 1, 1, 0.5}}};
+  EXPECT_EQ(look_of(json).alpha, MaterialLook::Alpha::ignored);
+  json["materials"][0]["alphaMode"] = "BLEND";
+  EXPECT_EQ(look_of(json).alpha, MaterialLook::Alpha::blended);
+  json["materials"][0]["alphaMode"] = "MASK";
+  EXPECT_EQ(look_of(json).alpha, MaterialLook::Alpha::cut);
+  EXPECT_EQ(look_of(json).alpha_cutoff, 0.5f);
+  json["materials"][0]["alphaCutoff"] = 0.25;
+  EXPECT_EQ(look_of(json).alpha_cutoff, 0.25f);
+}
+
+TEST(GltfLooks, WhatIsTransmittedIsKnownUnlessATextureSaysIt) {
+  Json json = document();
+  Json& clear = json["materials"][0]["extensions"]["KHR_materials_transmission"];
+  clear = Json::object();
+  EXPECT_EQ(look_of(json).transmission, 0);
+  clear["transmissionFactor"] = 0.75;
+  EXPECT_EQ(look_of(json).transmission, 0.75f);
+  clear["transmissionTexture"]["index"] = 0;
+  EXPECT_EQ(look_of(json).transmission, 0);
+}
+
 TEST(GltfLooks, TexturesInTheFileComeAsTheirBytesOthersByName) {
   const MaterialLook in_view = look_of(textured({{"bufferView", 1}, {"mimeType", "image/png"}}));
   ASSERT_TRUE(in_view.texture);

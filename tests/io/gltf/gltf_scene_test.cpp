@@ -276,6 +276,26 @@ TEST(GltfContents, WhatIsThereBesidesTheSurfaceIsListed) {
   EXPECT_TRUE(triangle().read().warnings.empty());
 }
 
+TEST(GltfContents, BandsThatDrawCracksAreNoSurfaceAndAreCountedAsSuch) {
+  Document document = triangle();
+  Json bands = document.primitive();
+  bands["extras"] = {{"crack_lines", true}};
+  document.json["meshes"].push_back(
+      {{"name", "crack_lines"}, {"primitives", Json::array({std::move(bands)})}});
+  document.json["nodes"].push_back({{"mesh", 1}});
+  const MeshFile file = document.read();
+  EXPECT_EQ(file.mesh.triangles.size(), 1u);
+  std::map<std::string, std::vector<std::string>> contents;
+  for (const SceneContent& content : file.scene->contents()) {
+    contents[content.kind] = content.names;
+  }
+  EXPECT_EQ(contents["crack lines as bands of triangles"],
+            (std::vector<std::string>{"crack_lines"}));
+  EXPECT_FALSE(contents.contains("primitives of points or lines"));
+  document.json["meshes"][1]["primitives"][0]["extras"]["crack_lines"] = false;
+  EXPECT_EQ(document.read().mesh.triangles.size(), 2u) << "somebody else's mark";
+}
+
 TEST(Glb, PaddingOfEitherKindAndBytesAfterTheEndAreNoHarm) {
   const std::string plain = format_mesh(rich_mesh(), "glb");
   EXPECT_EQ(read_mesh(plain + "after the end", "a.glb").mesh.triangles.size(), 8u);

@@ -60,6 +60,14 @@ TEST(Mtl, ColourOpacityAndPictureAreUnderstood) {
   EXPECT_EQ(materials[1].color_picture, "");
 }
 
+TEST(Mtl, OpacityIsNeverSaidByTrWhereDSaysIt) {
+  for (const char* text : {"newmtl a\nTr 1\nd 0.75\n", "newmtl a\nd 0.75\nTr 1\n",
+                           "newmtl b\nd 0\nnewmtl a\nTr 0.25\n"}) {
+    EXPECT_EQ(parse_mtl(text).back().opacity, 0.75) << text;
+  }
+  EXPECT_EQ(parse_mtl("newmtl a\nd 7\n")[0].opacity, 1);
+}
+
 TEST(ObjScene, ObjectsGroupsAndTheLibraryAreWrittenAgain) {
   const Shelf shelf;
   const MeshFile file = shelf.read();

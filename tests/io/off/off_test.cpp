@@ -22,6 +22,11 @@ TEST(Off, CountsMayFollowTheKeyword) {
   EXPECT_EQ(read("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2").triangles.size(), 1u);
 }
 
+TEST(Off, TheKeywordMayBeMissing) {
+  EXPECT_EQ(read("# a\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2").triangles.size(), 1u);
+  EXPECT_NE(message_of([] { read("0.5 0 0\n"); }).find("OFF"), std::string::npos);
+}
+
 TEST(Off, ColoursAreOfEitherScale) {
   const auto color = [](const std::string& rgba) {
     return read("COFF\n3 1 0\n0 0 0 " + rgba + "\n1 0 0 " + rgba + "\n0 1 0 " + rgba +

@@ -21,9 +21,16 @@ std::size_t component_count(const std::string& type) {
   if (type == "SCALAR") return 1;
   if (type == "VEC2") return 2;
   if (type == "VEC3") return 3;
-  if (type == "VEC4") return 4;
-  if (type == "MAT4") return 16;  // whose columns need no padding, whatever the components
+  if (type == "VEC4" || type == "MAT2") return 4;
+  if (type == "MAT3") return 9;
+  if (type == "MAT4") return 16;
   return 0;
+}
+
+/// Columns begin at multiples of four bytes.
+bool has_padded_columns(const std::string& type, std::size_t component_size) {
+  const std::size_t rows = type == "MAT2" ? 2 : type == "MAT3" ? 3 : 4;
+  return type.starts_with("MAT") && rows * component_size % 4 != 0;
 }
 
 }  // namespace
@@ -114,13 +121,20 @@ GltfAccessors::Layout GltfAccessors::layout(std::size_t accessor) {
   const std::string name = fmt::format("accessor {}", accessor);
   Layout layout;
   layout.count = count(accessor);
-  layout.components = component_count(json_.text(json, "type"));
+  const std::string type = json_.text(json, "type");
+  layout.components = component_count(type);
   if (layout.components == 0) {
-    json_.fail(fmt::format("{} is not of type SCALAR, VEC2, VEC3, VEC4 or MAT4", name));
+    json_.fail(fmt::format("{} is not of type SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4", name));
   }
   layout.component_type = json_.index_or(json, "componentType", 0);
   if (component_size(layout.component_type) == 0) {
     json_.fail(fmt::format("{} has an unknown componentType", name));
+  }
+  if (has_padded_columns(type, component_size(layout.component_type))) {
+    json_.fail(
+        fmt::format("{} is a {} of so small numbers that its columns have gaps between "
+                    "them, which is not supported",
+                    name, type));
   }
   const auto normalized = json.find("normalized");
   layout.normalized = normalized != json.end() && *normalized == Json(true);

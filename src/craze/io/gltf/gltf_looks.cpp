@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -18,6 +19,11 @@ const Json* object_in(const Json& object, const char* key) {
   return found != object.end() && found->is_object() ? &*found : nullptr;
 }
 
+float number_or(const Json& object, const char* key, float fallback) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<float>() : fallback;
+}
+
 class Looks {
  public:
   Looks(const Json& root, GltfAccessors& accessors, const MeshSource& source)
@@ -25,6 +31,7 @@ class Looks {
 
   MaterialLook look_of(const Json& material) {
     MaterialLook look;
+    if (material.is_object()) add_clarity(look, material);
     const Json* surface = object_in(material, "pbrMetallicRoughness");
     if (!surface) return look;
     double factor[4];
@@ -36,6 +43,17 @@ class Looks {
   }
 
  private:
+  /// How much of what lies behind is seen. Where a texture decides what is transmitted, nothing is.
+  void add_clarity(MaterialLook& look, const Json& material) {
+    const std::string mode = json_.text(material, "alphaMode");
+    if (mode == "MASK") look.alpha = MaterialLook::Alpha::cut;
+    if (mode == "BLEND") look.alpha = MaterialLook::Alpha::blended;
+    look.alpha_cutoff = number_or(material, "alphaCutoff", look.alpha_cutoff);
+    const Json* clear = json_.extension(material, "KHR_materials_transmission");
+    if (!clear || clear->contains("transmissionTexture")) return;
+    look.transmission = std::clamp(number_or(*clear, "transmissionFactor", 0), 0.0f, 1.0f);
+  }
+
   void add_texture(MaterialLook& look, const Json& reference) {
     std::size_t uv_set = json_.index_or(reference, "texCoord", 0);
     const Json* transform = json_.extension(reference, "KHR_texture_transform");

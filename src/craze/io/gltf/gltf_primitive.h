@@ -17,7 +17,8 @@ std::vector<double> morph_weights(const Json& mesh, const Json* node, const Gltf
 inline constexpr const char* crack_lines_mark = "crack_lines";
 inline bool draws_cracks(const Json& primitive) {
   const auto extras = primitive.find("extras");
-  return extras != primitive.end() && extras->is_object() && extras->contains(crack_lines_mark);
+  return extras != primitive.end() && extras->is_object() &&
+         extras->value(crack_lines_mark, Json()) == Json(true);
 }
 
 /// Attributes by name, with the default weights of the targets applied.

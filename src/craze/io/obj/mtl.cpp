@@ -85,18 +85,27 @@ double number_or(std::string_view word, double fallback) {
 
 std::vector<MtlMaterial> parse_mtl(std::string_view text) {
   std::vector<MtlMaterial> materials;
+  bool has_opacity = false;
   for_each_line(text, [&](std::string_view line) {
     std::string_view rest = line;
     const std::string_view keyword = take_word(rest);
     if (keyword == "newmtl") {
       materials.emplace_back().name = std::string(rest);
+      has_opacity = false;
     } else if (!materials.empty()) {
       MtlMaterial& material = materials.back();
       if (keyword == "Kd") {
         for (double& channel : material.color) channel = number_or(take_word(rest), channel);
       } else if (keyword == "d" || keyword == "Tr") {
-        const double value = number_or(take_word(rest), keyword == "d" ? 1 : 0);
-        material.opacity = keyword == "d" ? value : 1 - value;
+        const double value =
+            std::clamp(number_or(take_word(rest), keyword == "d" ? 1 : 0), 0.0, 1.0);
+        // Writers that disagree on Tr give d as well.
+        if (keyword == "d") {
+          material.opacity = value;
+          has_opacity = true;
+        } else if (!has_opacity) {
+          material.opacity = 1 - value;
+        }
       } else if (keyword == "map_Kd") {
         material.scale = {1, 1};
         material.shift = {0, 0};

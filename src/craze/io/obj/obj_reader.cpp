@@ -235,6 +235,7 @@ class ObjReader {
       for (std::size_t k = 0; k < 3; ++k)
         look.base_color[k] = static_cast<float>(material.color[k]);
       look.base_color[3] = static_cast<float>(material.opacity);
+      if (material.opacity < 1) look.alpha = MaterialLook::Alpha::blended;
       look.texture_file = material.color_picture;
       look.texture_place << material.scale[0], 0, material.shift[0], 0, material.scale[1],
           material.shift[1];

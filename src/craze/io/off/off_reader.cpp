@@ -28,7 +28,12 @@ struct OffKind {
 OffKind read_kind(TextCursor& text) {
   OffKind kind;
   text.skip_blank();
+  const TextCursor start = text;
   const std::string_view keyword = text.word();
+  if (!keyword.empty() && keyword.find_first_not_of("0123456789") == std::string_view::npos) {
+    text = start;  // the keyword is optional
+    return kind;
+  }
   std::string_view rest = keyword;
   const auto accept = [&](std::string_view prefix) {
     if (!rest.starts_with(prefix)) return false;

@@ -93,8 +93,9 @@ struct SceneFile {
     const Json& accessor = json["accessors"][number];
     const std::map<int, std::size_t> sizes{{5120, 1}, {5121, 1}, {5122, 2},
                                            {5123, 2}, {5125, 4}, {5126, 4}};
-    const std::map<std::string, std::size_t> counts{
-        {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
+    const std::map<std::string, std::size_t> counts{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3},
+                                                    {"VEC4", 4},   {"MAT2", 4}, {"MAT3", 9},
+                                                    {"MAT4", 16}};
     const std::size_t size = sizes.at(accessor["componentType"]) * counts.at(accessor["type"]);
     const std::size_t count = accessor["count"];
     std::string all(count * size, '\0');

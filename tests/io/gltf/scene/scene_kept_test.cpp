@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "io/io_test_tools.h"
+
 #include "craze/mesh/morph_animation.h"
 
 #include <set>
@@ -198,6 +200,33 @@ TEST(SceneKept, JointsOfNewVerticesAreWeightedAndSumToOne) {
   const std::vector<float> morph = after.floats(made["targets"][0]["POSITION"]);
   EXPECT_EQ(morph[3 * 4 + 2], 1.0f) << "half of the shift by 2";
   EXPECT_EQ(after.json["meshes"][2]["weights"], Json({0.5}));
+}
+
+TEST(SceneKept, MatricesOfVerticesStayMatrices) {
+  SceneFile before = truck();
+  for (const auto& [type, numbers] : {std::pair{"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}) {
+    std::vector<float> values;
+    for (int i = 0; i < 4 * numbers; ++i) values.push_back(static_cast<float>(i / numbers));
+    before.json["meshes"][0]["primitives"][0]["attributes"][std::string("_") + type] =
+        before.add(values, type, 5126, static_cast<std::size_t>(numbers));
+  }
+  const MeshFile file = read(before);
+  HandCut cut(file.mesh);
+  cut.cut(body);
+  const SceneFile after = cut.write(file);
+  for (const std::string type : {"MAT2", "MAT3", "MAT4"}) {
+    const Json& accessor = after.primitive(0, 0)["attributes"]["_" + type];
+    EXPECT_EQ(after.json["accessors"][accessor.get<std::size_t>()]["type"], type);
+    const std::vector<float> values = after.floats(accessor);
+    const std::size_t numbers = values.size() / 7;
+    EXPECT_EQ(values[numbers], 1) << "the second corner's";
+    EXPECT_EQ(values[4 * numbers], 0.5f) << "between the first and the second";
+  }
+  // Columns of bytes begin at multiples of four.
+  SceneFile narrow = truck();
+  narrow.json["meshes"][0]["primitives"][0]["attributes"]["_M"] =
+      narrow.add<std::uint8_t>(std::vector<std::uint8_t>(16, 0), "MAT2", 5121, 4);
+  EXPECT_NE(message_of([&] { read(narrow); }).find("MAT2"), std::string::npos);
 }
 
 TEST(SceneKept, WallsAreAPrimitiveOfThePartsMeshWithAMaterialOfTheirOwn) {

@@ -23,7 +23,8 @@ SceneContent named(const Json& root, const char* list, const char* kind) {
 /// What vertices have besides what a plain mesh holds.
 struct VertexData {
   std::set<std::string> uv_sets, others, targets;
-  std::vector<std::string> loose;  ///< one for each primitive of points or lines
+  std::vector<std::string> loose;  ///< one for each primitive of points or lines,
+  std::vector<std::string> bands;  ///< and of triangles that draw cracks
 };
 
 VertexData vertex_data(const Json& root) {
@@ -39,7 +40,9 @@ VertexData vertex_data(const Json& root) {
       if (!primitive.contains("attributes")) continue;
       const auto mode = primitive.find("mode");
       const bool is_open = mode != primitive.end() && mode->is_number() && mode->get<double>() < 4;
-      if (is_open || draws_cracks(primitive)) data.loose.push_back(mesh.value("name", ""));
+      if (is_open || draws_cracks(primitive)) {
+        (is_open ? data.loose : data.bands).push_back(mesh.value("name", ""));
+      }
       each_key(primitive["attributes"], [&](const std::string& key) {
         if (key.starts_with("TEXCOORD_") && key != "TEXCOORD_0") data.uv_sets.insert(key);
         const bool further_color = key.starts_with("COLOR_") && key != "COLOR_0";
@@ -98,6 +101,7 @@ std::vector<SceneContent> GltfDocument::contents() const {
       listed("vertex attributes of its own", vertices.others),
       listed("morph targets", vertices.targets),
       {"primitives of points or lines", vertices.loose},
+      {"crack lines as bands of triangles", vertices.bands},
   };
   std::erase_if(all, [](const SceneContent& content) { return content.names.empty(); });
   return all;

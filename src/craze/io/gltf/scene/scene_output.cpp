@@ -18,7 +18,7 @@ constexpr int array_buffer = 34962, element_array_buffer = 34963;
 
 const char* type_name(std::size_t components) {
   constexpr const char* names[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
-  return components == 16 ? "MAT4" : names[components - 1];
+  return components == 16 ? "MAT4" : components == 9 ? "MAT3" : names[components - 1];
 }
 
 /// The list of that name; made where there is none.
@@ -148,6 +148,8 @@ std::size_t SceneOutput::add_accessor(Json accessor, const GltfElements& element
   accessor["type"] = type_name(elements.components);
   if (elements.normalized) accessor["normalized"] = true;
   if (like) {
+    // Four numbers may be a matrix.
+    if (elements.components == 4 && like->value("type", "") == "MAT2") accessor["type"] = "MAT2";
     for (const char* key : {"name", "extras"}) {
       if (like->contains(key)) accessor[key] = (*like)[key];
     }
