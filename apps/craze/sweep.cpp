@@ -27,7 +27,7 @@ int sweep(const Options& options) {
       run_sweep(read_plan_file(options.plan), options.folder, shard, run.context());
   if (options.run.quiet) return done;
   const std::string left = made.parts_left == 0
-                               ? "table.csv and table.npy are whole"
+                               ? "table.csv, columns and plots are whole"
                                : fmt::format("{} parts are left to other shards", made.parts_left);
   return print(fmt::format("{} rows in {} parts, {} made now; {}\n", made.rows, made.parts,
                            made.parts_made, left));

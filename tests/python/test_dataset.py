@@ -13,6 +13,7 @@ from small import COMMAND
 PLATE = """
 samples = 3
 clean = 0
+points = 20000
 width = 160
 height = 144
 [object]
@@ -242,6 +243,111 @@ class Sphere(unittest.TestCase):
                 self.assertFalse(visible[~inside].any())
                 hidden += (facing < -0.25).sum()
         self.assertGreater(hidden, 100)
+
+
+def fields(cloud, *names):
+    return np.stack([cloud[name].astype(float) for name in names], axis=-1)
+
+
+@unittest.skipUnless(COMMAND, "no command")
+class Points(unittest.TestCase):
+    """Clouds, against the geometry of the JSON and the pictures."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.samples = made(PLATE.replace("zoom = 2", "zoom = 3.2"))
+
+    def test_lie_on_the_surface_where_the_picture_shows_it_with_its_colour(self):
+        for sample in self.samples:
+            cloud, camera = sample["points"], sample["json"]["camera"]
+            self.assertEqual(len(cloud), 20000)  # the picture is full
+            self.assertLess(np.abs(cloud["z"]).max(), 1e-9)
+            seen, _ = projected(camera, fields(cloud, "x", "y", "z"))
+            columns, rows = np.floor(seen).astype(int).T
+            inside = np.abs(seen - np.round(seen)).min(axis=1) > 1e-3  # of a pixel
+            colours = sample["image"][rows[inside], columns[inside]]
+            np.testing.assert_array_equal(colours,
+                                          fields(cloud[inside], "red", "green", "blue"))
+            normals = fields(cloud, "nx", "ny", "nz")
+            self.assertLess(np.abs(normals - [0, 0, 1]).max(), 1e-6)
+
+    def test_are_spread_evenly_and_so_are_the_first_of_them(self):
+        for sample in self.samples:
+            seen, _ = projected(sample["json"]["camera"], fields(sample["points"], "x", "y", "z"))
+            for count in (500, 20000):
+                cells = np.histogram2d(*seen[:count].T, bins=(8, 8),
+                                       range=((0, 160), (0, 144)))[0]
+                # 64 cells; thrown at random they would differ by five times the root.
+                self.assertLess(np.abs(cells - count / 64).max(), 2 + 0.5 * (count / 64) ** 0.5)
+
+    def test_have_the_crack_the_width_and_the_distance_that_the_lines_give(self):
+        wrong = compared = 0
+        for sample in self.samples:
+            cloud = sample["points"]
+            strips = (*segments(sample), bars(sample))
+            places = fields(cloud, "x", "y")
+            outside, piece, share = (a[:, 0] for a in nearest(places[:, None], *strips))
+            sure = np.abs(outside) > 1e-6
+            ids = np.concatenate([[c["id"]] * (len(c["points"]) - 1)
+                                  for c in sample["json"]["cracks"]])
+            cracked = outside < 0
+            wrong += (((cloud["crack"] > 0) != cracked) & sure).sum()
+            np.testing.assert_array_equal(cloud["mask"], cloud["crack"] > 0)
+            same = cracked & (cloud["crack"] == ids[piece])
+            # Where two strips cover a place either may be nearer, but for rounding.
+            self.assertGreater(same.sum(), 0.98 * cracked.sum())
+            width = strips[1][piece, 0] + share * (strips[1][piece, 1] - strips[1][piece, 0])
+            self.assertLess(np.abs(cloud["width"] - width)[same].max(), 1e-3 * width[same].max())
+            self.assertEqual(cloud["width"][cloud["crack"] == 0].max(), 0)
+            compared += cracked.sum()
+            farthest = sample["json"]["label"]["points_farthest"]
+            best = np.full(len(cloud), farthest)
+            for a, b in strips[0][..., :2]:
+                t = np.clip((places - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
+                best = np.minimum(best, np.linalg.norm(places - a - t[:, None] * (b - a), axis=1))
+            seen, _ = projected(sample["json"]["camera"], fields(cloud, "x", "y", "z"))
+            # Near the frame a crack may be nearest that it does not show.
+            inner = (np.abs(seen - [80, 72]) < [50, 42]).all(axis=1)
+            self.assertGreater(inner.sum(), 5000)
+            off = (cloud["distance"] - best)[inner]
+            self.assertGreaterEqual(off.min(), -1e-5 * farthest)
+            # Along the surface: a crack lies in the way of some.
+            self.assertGreater((off < 1e-5 * farthest).mean(), 0.99)
+        self.assertGreater(compared, 1000)
+        self.assertLess(wrong, 0.002 * compared, f"{wrong} of {compared}")
+
+    def test_have_the_fragment_that_the_picture_has_there(self):
+        for sample in self.samples:
+            cloud = sample["points"]
+            seen, _ = projected(sample["json"]["camera"], fields(cloud, "x", "y", "z"))
+            columns, rows = np.floor(seen).astype(int).T
+            there = sample["fragment"][rows, columns]
+            self.assertGreater((there == cloud["fragment"]).mean(), 0.97)
+            self.assertGreater(len(np.unique(cloud["fragment"])), 1)
+
+    def test_keep_what_is_there_where_the_mask_has_label_noise(self):
+        one = PLATE.replace("samples = 3", "samples = 1")
+        for noise, fewer in (("dropout = 0.5", True), ("grow = 2", False)):
+            for sample in made(f"{one}[label]\n{noise}\n"):
+                mask, crack = sample["points"]["mask"] > 0, sample["points"]["crack"] > 0
+                self.assertGreater(crack.sum(), 100)
+                self.assertTrue((mask <= crack if fewer else mask >= crack).all())
+                self.assertNotEqual(mask.sum(), crack.sum())
+
+    def test_of_a_body_are_those_that_the_camera_sees(self):
+        for sample in made(SPHERE):
+            cloud, camera = sample["points"], sample["json"]["camera"]
+            self.assertLess(len(cloud), 20000)  # beside it is nothing
+            self.assertGreater(len(cloud), 2000)
+            places, normals = fields(cloud, "x", "y", "z"), fields(cloud, "nx", "ny", "nz")
+            matrix = np.array(camera["world_to_camera"])
+            eye = -matrix[:, :3].T @ matrix[:, 3]
+            rays = places - eye
+            self.assertLess(((rays * normals).sum(axis=1)).max(), 1e-3)
+            _, depth = projected(camera, places)
+            middle = projected(camera, np.zeros((1, 3)))[1][0]
+            self.assertLess(depth.max(), middle)
+            self.assertLess(np.abs(np.linalg.norm(places, axis=1) - 1).max(), 0.01)
 
 
 if __name__ == "__main__":

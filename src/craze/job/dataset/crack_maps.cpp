@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "craze/base/parallel.h"
 #include "craze/engine/cracked_surface.h"
@@ -14,7 +13,6 @@ namespace {
 
 constexpr int cells = 8, corners = cells + 1;
 constexpr int lattice = corners * corners;
-constexpr double nowhere = std::numeric_limits<double>::max();
 
 /// Part of a triangle's area where a linear function is below 0, from its values at the corners.
 double part_below(double a, double b, double c) {
@@ -27,17 +25,10 @@ double part_below(double a, double b, double c) {
   return 1 - c / (c - a) * (c / (c - b));
 }
 
-/// The crack nearest to a place, by the distance from its edge.
-struct Nearest {
-  double outside = nowhere;  ///< from the edge of the strip, length; negative inside
-  std::int32_t line = -1;
-  double along = 0;  ///< 0 … 1 on the line
-};
-
 class PixelCracks {
  public:
   PixelCracks(const Scene& scene, const render::RayScene& rays, const LabelNoise& noise)
-      : scene_(scene), rays_(rays), noise_(noise) {
+      : scene_(scene), rays_(rays), noise_(noise), strips_(scene, noise) {
     is_noisy_ = noise.grow != 0 ||
                 std::find(noise.dropped.begin(), noise.dropped.end(), 1) != noise.dropped.end();
   }
@@ -50,61 +41,21 @@ class PixelCracks {
     maps.label[i] = is_noisy_ ? static_cast<float>(area(labelled)) : maps.coverage[i];
     if (maps.coverage[i] <= 0) return;
     const render::Hit hit = rays_.intersect(scene_.projection.ray(x + 0.5, y + 0.5));
-    Nearest nearest;
+    NearestCrack nearest;
     Vec3 normal;
-    if (hit.face >= 0) nearest = nearest_to(hit.face, point_of(hit), false);
+    if (hit.face >= 0) nearest = strips_.nearest(hit.face, strips_.point_of(hit), false);
     if (nearest.line < 0) {
       // The middle sees something else: the part of the pixel that is deepest in a crack tells.
       nearest = deepest(x, y, normal);
     } else {
-      normal = normal_of(hit.face);
+      normal = strips_.normal_of(hit.face);
     }
     if (nearest.line < 0) return;
-    maps.crack[i] = scene_.crack_of_line[nearest.line];
-    maps.width[i] = static_cast<float>(width_of(nearest, normal));
+    maps.crack[i] = strips_.crack(nearest);
+    maps.width[i] = static_cast<float>(strips_.seen_width(nearest, normal));
   }
 
  private:
-  Vec3 point_of(const render::Hit& hit) const {
-    const Triangle& t = scene_.mesh.triangles[hit.face];
-    const Vec3& a = scene_.mesh.positions[t[0]];
-    const double u = hit.u, v = hit.v;
-    return a + u * (scene_.mesh.positions[t[1]] - a) + v * (scene_.mesh.positions[t[2]] - a);
-  }
-
-  Vec3 normal_of(std::int32_t f) const {
-    const Triangle& t = scene_.mesh.triangles[f];
-    const Vec3& a = scene_.mesh.positions[t[0]];
-    return (scene_.mesh.positions[t[1]] - a)
-        .cross(scene_.mesh.positions[t[2]] - a)
-        .stableNormalized();
-  }
-
-  Nearest nearest_to(std::int32_t face, const Vec3& p, bool kept_only) const {
-    Nearest nearest;
-    const NearbyCracks& cracks = scene_.lines.cracks;
-    const auto first = static_cast<std::int32_t>(cracks.first.empty() ? 0 : cracks.first[face]);
-    const auto near = cracks.of(face);
-    for (std::size_t k = 0; k < near.size(); ++k) {
-      const auto line = first + static_cast<std::int32_t>(k);
-      const std::int32_t crack = scene_.crack_of_line[line];
-      if (crack < 0 || (kept_only && !noise_.dropped.empty() && noise_.dropped[crack])) continue;
-      const Vec3 along = near[k].b - near[k].a, off = p - near[k].a;
-      const double squared = along.squaredNorm();
-      const double t = squared > 0 ? std::clamp(off.dot(along) / squared, 0.0, 1.0) : 0;
-      const double half = half_width(line, t);
-      if (half <= 0) continue;
-      const double outside = (off - t * along).norm() - half;
-      if (outside < nearest.outside) nearest = {outside, line, t};
-    }
-    return nearest;
-  }
-
-  double half_width(std::int32_t line, double t) const {
-    const auto& w = scene_.lines.width[line];
-    return scene_.options.line_width * ((1 - t) * w[0] + t * w[1]) / 2;
-  }
-
   template <class Visit>
   void each_corner(int x, int y, const Visit& visit) const {
     for (int first = 0; first < lattice; first += render::RayScene::lanes) {
@@ -126,12 +77,13 @@ class PixelCracks {
     each_corner(x, y, [&](int k, const render::Hit& hit) {
       outside[k] = labelled[k] = far();
       if (hit.face < 0) return;
-      const Vec3 p = point_of(hit);
-      outside[k] = std::min(far(), nearest_to(hit.face, p, false).outside);
+      const Vec3 p = strips_.point_of(hit);
+      outside[k] = std::min(far(), strips_.nearest(hit.face, p, false).outside);
       labelled[k] = outside[k];
       if (!is_noisy_) return;
       const double pixel = scene_.projection.pixel_size(hit.distance / scene_.projection.scale());
-      labelled[k] = std::min(far(), nearest_to(hit.face, p, true).outside) - noise_.grow * pixel;
+      labelled[k] =
+          std::min(far(), strips_.nearest(hit.face, p, true).outside) - noise_.grow * pixel;
     });
   }
 
@@ -150,29 +102,22 @@ class PixelCracks {
     return sum / (2 * cells * cells);
   }
 
-  Nearest deepest(int x, int y, Vec3& normal) const {
-    Nearest best;
+  NearestCrack deepest(int x, int y, Vec3& normal) const {
+    NearestCrack best;
     each_corner(x, y, [&](int, const render::Hit& hit) {
       if (hit.face < 0) return;
-      const Nearest here = nearest_to(hit.face, point_of(hit), false);
+      const NearestCrack here = strips_.nearest(hit.face, strips_.point_of(hit), false);
       if (here.outside >= best.outside) return;
       best = here;
-      normal = normal_of(hit.face);
+      normal = strips_.normal_of(hit.face);
     });
     return best;
-  }
-
-  double width_of(const Nearest& nearest, const Vec3& normal) const {
-    const NearbyCrack& line = scene_.lines.cracks.segments[nearest.line];
-    const Vec3 along = (line.b - line.a).stableNormalized();
-    const Vec3 middle = line.a + nearest.along * (line.b - line.a);
-    return scene_.projection.seen_width(middle, along, normal.cross(along),
-                                        2 * half_width(nearest.line, nearest.along));
   }
 
   const Scene& scene_;
   const render::RayScene& rays_;
   const LabelNoise& noise_;
+  CrackStrips strips_;
   bool is_noisy_ = false;
 };
 

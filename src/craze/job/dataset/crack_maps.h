@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "craze/context.h"
+#include "craze/job/dataset/crack_strips.h"
 #include "craze/job/dataset/scene.h"
 #include "craze/render/ray_scene.h"
 
@@ -16,12 +17,6 @@ struct CrackMaps {
   std::vector<float> label;         ///< the same with the plan's label noise
   std::vector<float> width;         ///< pixels, of the crack that is nearest; 0 where none covers
   std::vector<std::int32_t> crack;  ///< that crack, index into the scene's; −1 where none covers
-};
-
-/// How a mask differs from what is there: label noise.
-struct LabelNoise {
-  double grow = 0;                    ///< pixels on each side
-  std::vector<std::uint8_t> dropped;  ///< per crack: not in the mask; empty: all are
 };
 
 /// The share of a pixel's area where a point of the surface lies in a crack (scene.h), by the exact

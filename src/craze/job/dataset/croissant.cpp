@@ -63,6 +63,14 @@ std::string croissant_json(const DatasetPlan& plan, const std::filesystem::path&
                      {"encodingFormat", "image/png"},
                      {"includes", std::string("*.") + kind + ".png"}});
   }
+  if (plan.shape.points > 0) {
+    files.push_back({{"@type", "cr:FileSet"},
+                     {"@id", "points-files"},
+                     {"name", "points-files"},
+                     {"containedIn", archives},
+                     {"encodingFormat", "application/octet-stream"},
+                     {"includes", "*.points.ply"}});
+  }
   const Json json{
       {"@context", context_json()},
       {"@type", "sc:Dataset"},

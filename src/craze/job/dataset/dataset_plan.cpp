@@ -43,6 +43,8 @@ Keys set_keys() {
       fixed(whole("attempts", 8, 1, 1000, "draws of a sample until a crack is seen in it")),
       fixed(word("folders", "no", {"no", "yes"},
                  "images/ and masks/ beside the shards, for loaders that want files")),
+      fixed(whole("points", 0, 0, 1e7,
+                  "of a cloud of points with labels, PLY, a sample; 0: no cloud")),
   };
 }
 
@@ -183,7 +185,8 @@ DatasetShape dataset_shape(const Plan& plan) {
           static_cast<int>(plan.number("height")),
           plan.number("clean"),
           static_cast<int>(plan.number("attempts")),
-          plan.word("folders") == "yes"};
+          plan.word("folders") == "yes",
+          count("points")};
 }
 
 }  // namespace craze

@@ -18,6 +18,7 @@ struct DatasetShape {
   double clean = 0;           ///< share of samples without a crack
   int attempts = 0;           ///< draws of a sample until a crack is seen
   bool folders = false;       ///< images and masks as files of their own too
+  std::uint64_t points = 0;   ///< rays of a sample's point cloud; 0: it has none
 
   std::uint64_t shards() const { return (samples + shard_samples - 1) / shard_samples; }
 };

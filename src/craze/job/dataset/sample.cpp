@@ -12,6 +12,7 @@
 #include "craze/io/image/format_png.h"
 #include "craze/job/dataset/camera_faults.h"
 #include "craze/job/dataset/crack_maps.h"
+#include "craze/job/dataset/point_cloud.h"
 #include "craze/job/dataset/sample_json.h"
 #include "craze/job/dataset/surface_maps.h"
 
@@ -55,16 +56,26 @@ struct Labels {
   std::vector<std::uint8_t> mask;  ///< 0 or 1
 };
 
-Labels make_labels(const Scene& scene, const PlanValues& values, std::uint64_t name,
-                   const Context& context) {
-  std::vector<Vec3> places;
-  for (const Vec3& p : scene.mesh.positions) places.push_back(scene.projection.to_render(p));
-  const render::RayScene rays(places, scene.mesh.triangles);
+LabelNoise label_noise(const Scene& scene, const PlanValues& values, std::uint64_t name) {
   LabelNoise noise{number_of(values, "label.grow"), {}};
   const Random random(name, 0x64726f70);
   for (std::size_t c = 0; c < scene.cracks.size(); ++c) {
     noise.dropped.push_back(random.uniform_at(c) < number_of(values, "label.dropout") ? 1 : 0);
   }
+  return noise;
+}
+
+/// The scene's surface in render units.
+render::RayScene rays_of(const Scene& scene) {
+  std::vector<Vec3> places;
+  for (const Vec3& p : scene.mesh.positions) places.push_back(scene.projection.to_render(p));
+  return {places, scene.mesh.triangles};
+}
+
+Labels make_labels(const Scene& scene, const PlanValues& values, std::uint64_t name,
+                   const Context& context) {
+  const render::RayScene rays = rays_of(scene);
+  const LabelNoise noise = label_noise(scene, values, name);
   Labels labels{crack_maps(scene, rays, noise, context),
                 surface_maps(scene, rays),
                 seen_lines(scene, rays),
@@ -122,7 +133,8 @@ Sample finished(const DatasetPlan& plan, std::uint64_t index, int attempt, std::
   };
   const DepthRange depths = depth_range(labels.surface.depth);
   const auto id_of = [&](std::int32_t crack) { return crack < 0 ? 0 : scene.cracks[crack].order; };
-  add("image.png", image_png(with_camera_faults(picture, values, name)));
+  const render::Image taken = with_camera_faults(picture, values, name);
+  add("image.png", image_png(taken));
   add("mask.png", grey_png(scene, 8, labels.mask, [](int m) { return 255 * m; }));
   add("coverage.png", grey_png(scene, 8, labels.cracks.coverage, [](double c) { return 255 * c; }));
   add("width.png",
@@ -136,6 +148,12 @@ Sample finished(const DatasetPlan& plan, std::uint64_t index, int attempt, std::
   add("normal.png", normal_png(scene, labels.surface.normal));
   add("crack.png", grey_png(scene, 16, labels.cracks.crack, id_of));
   add("fragment.png", grey_png(scene, 16, labels.surface.fragment, [](int f) { return f + 1; }));
+  if (plan.shape.points > 0) {
+    add("points.ply",
+        format_cloud(scene,
+                     point_cloud(scene, rays_of(scene), label_noise(scene, values, name), taken,
+                                 {plan.shape.points, number_of(values, "label.min_width"), name})));
+  }
   add("json",
       sample_json({plan, index, attempt, clean, values, scene, labels.lines, depths, sample}));
   return sample;

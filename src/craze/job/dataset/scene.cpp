@@ -202,28 +202,29 @@ Scene make_scene(const Plan& plan, const PlanValues& values, const DatasetShape&
   const Projection projection(render::picture_camera(mesh, options), shape.width, shape.height);
 
   Scene scene{
-      object, result.report().recipe, result, std::move(mesh), options, projection, {}, {}, {}, {}};
+      object, result.report().recipe, result, std::move(mesh), options, projection, 0, {}, {}, {},
+      {}};
   std::vector<Vec3> places;
   for (const Vec3& p : scene.mesh.positions) places.push_back(projection.to_render(p));
   const render::RayScene rays(places, scene.mesh.triangles);
   const render::Studio studio(projection.camera(), options.material.backdrop, options.light);
   scene.options.marks = strewn_marks(values, scene.mesh, rays, projection, options.material.color,
                                      studio.lamp_direction().cast<double>(), name);
-  const double pixel = projection.pixel_size(middle_depth(rays, projection));
-  scene.options.line_width = pixel * number_of(values, "lines.width");
+  scene.pixel = projection.pixel_size(middle_depth(rays, projection));
+  scene.options.line_width = scene.pixel * number_of(values, "lines.width");
   if (clean || state.network.edges.empty()) return scene;
 
   scene.cracks = whole_cracks(state.network);
-  scene.widths = crack_widths(
-      state.network, scene.cracks,
-      {scene.options.line_width, number_of(values, "lines.even"),
-       number_of(values, "lines.unevenness"), pixel * number_of(values, "lines.taper"), name});
+  scene.widths = crack_widths(state.network, scene.cracks,
+                              {scene.options.line_width, number_of(values, "lines.even"),
+                               number_of(values, "lines.unevenness"),
+                               scene.pixel * number_of(values, "lines.taper"), name});
   double widest = 0;
   for (const auto& of_crack : scene.widths) {
     widest = std::max(widest, *std::max_element(of_crack.begin(), of_crack.end()));
   }
-  constexpr double pixels_beside = 16;  // labels with grown masks look that far
-  draw_cracks(scene, render::LinePainter::reach * widest + pixels_beside * pixel, context);
+  draw_cracks(scene, render::LinePainter::reach * widest + Scene::pixels_beside * scene.pixel,
+              context);
   return scene;
 }
 

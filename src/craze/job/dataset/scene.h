@@ -21,15 +21,19 @@ namespace craze {
 /// the nearest point of its centre line is at most half the width there: the picture draws it and
 /// the labels measure it from the same segments.
 struct Scene {
+  /// How far from a crack's edge it is known to the points there, pixels in the middle.
+  static constexpr double pixels_beside = 16;
+
   std::string object;  ///< the mesh, as errors name it
   Recipe recipe;
   Result result;
   SurfaceMesh mesh;  ///< drawn: cut and shut, with normals and fragments
   render::PictureOptions options;
   Projection projection;
-  std::vector<WholeCrack> cracks;           ///< none in a clean sample
-  CrackWidths widths;                       ///< of them, model units
-  render::CrackLines lines;                 ///< of `mesh`; widths in units of options.line_width
+  double pixel;                    ///< the side of a pixel in the middle of the picture, length
+  std::vector<WholeCrack> cracks;  ///< none in a clean sample
+  CrackWidths widths;              ///< of them, model units
+  render::CrackLines lines;        ///< of `mesh`; widths in units of options.line_width
   std::vector<std::int32_t> crack_of_line;  ///< per segment of `lines`, index into cracks
 };
 

@@ -18,9 +18,9 @@ struct SweepResult {
 };
 
 /// Runs the rows of a shard that are not there yet and writes them to FOLDER/parts, a file for each
-/// part. Where no part is missing, of whatever shard, joins them to FOLDER/table.csv and table.npy
-/// (an array of records for NumPy). Parts do not depend on the shards, on threads or on where a run
-/// was stopped; a part that is there is whole and is kept. Rows run beside each other on the
+/// part. Where no part is missing, of whatever shard, joins them to FOLDER/table.csv, columns/ (an
+/// array for NumPy each) and plots/. Parts do not depend on the shards, on threads or on where a
+/// run was stopped; a part that is there is whole and is kept. Rows run beside each other on the
 /// context's threads. Throws Error and Cancelled; parts made until then stay.
 SweepResult run_sweep(const PlanSource& source, const std::filesystem::path& folder, Shard shard,
                       const Context& context);

@@ -1,6 +1,7 @@
 // Pictures of a pattern and of its statistics, as SVG.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,23 @@ enum class GraphColor {
   time,      ///< dark (first) to light (last) by rank of time, then event
   junction,  ///< lines grey; T, Y, mixed, X and free ends as coloured dots
 };
+
+/// A mean and its standard error over something that was varied.
+struct PlotPoint {
+  double x = 0;                ///< where on the axis
+  std::string label;           ///< of x
+  double mean = 0, error = 0;  ///< error: 0 where it is not known
+  std::uint64_t runs = 0;
+};
+
+struct ErrorBars {
+  std::string title, axis;
+  bool logarithmic = false;  ///< the axis; then every x is above 0
+  bool joined = true;        ///< by a line: x is a number
+};
+
+/// Points with their errors as bars, and as text that a browser shows at them.
+std::string error_bars_svg(const std::vector<PlotPoint>& points, const ErrorBars& layout);
 
 /// The graph seen along `view` (a vector from the eye into the scene; lines of surface that faces
 /// away are left out). A planar input is seen straight on, whatever the view.
