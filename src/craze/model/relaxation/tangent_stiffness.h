@@ -26,7 +26,7 @@ struct PlaneBasis {
 /// About 240 bytes a node.
 class TangentStiffness {
  public:
-  /// One row of 2x2 blocks, column-major (k00 k10 k01 k11). The first entry is the diagonal.
+  /// One row of 2x2 blocks, row-major (k00 k01 k10 k11). The first entry is the diagonal.
   struct Row {
     const std::int32_t* columns;  ///< node of each block
     const Vec4f* blocks;
