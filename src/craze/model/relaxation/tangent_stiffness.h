@@ -62,6 +62,7 @@ class TangentStiffness {
     for (int line = 0; line < 2; ++line) __builtin_prefetch(blocks + 64 * line);
     __builtin_prefetch(columns_.data() + begin);
   }
+  void prefetch_faces(std::int32_t v) const { __builtin_prefetch(&faces_[rows_[v].begin]); }
   void prefetch_extent(std::int32_t v) const { __builtin_prefetch(&rows_[v]); }
   Faces own_faces(std::int32_t v) const { return {faces_.data() + rows_[v].begin, rows_[v].faces}; }
 
