@@ -110,7 +110,7 @@ struct System {
         if (index[row.columns[k]] < 0) continue;
         const Vec4f& b = row.blocks[k];
         columns.push_back(index[row.columns[k]]);
-        blocks.push_back((Block() << b[0], b[2], b[1], b[3]).finished());
+        blocks.push_back((Block() << b[0], b[1], b[2], b[3]).finished());
       }
       inverse.push_back(blocks[begin.back()].inverse());
       begin.push_back(static_cast<std::int32_t>(columns.size()));

@@ -55,10 +55,21 @@ Vec3 random_normal(const TriangleMesh& mesh, std::int32_t v, Random& random) {
   }
 }
 
+/// The input triangles around a node, in the order of its star.
+std::vector<std::int32_t> source_star(const TriangleMesh& mesh, std::int32_t v) {
+  std::vector<std::int32_t> star;
+  mesh.for_each_outgoing(v, [&](std::int32_t h) { star.push_back(mesh.source_face(h / 3)); });
+  return star;
+}
+
 void open_and_check(Cracked& c, std::int32_t v, const Vec3& normal, const CrackRules& rules) {
   const std::int32_t old_nodes = c.mesh.vertex_count(), old_faces = c.mesh.face_count();
   std::vector<Vec3> forces;
-  for (std::int32_t n = 0; n < old_nodes; ++n) forces.push_back(c.field.force(n));
+  std::vector<std::vector<std::int32_t>> stars;
+  for (std::int32_t n = 0; n < old_nodes; ++n) {
+    forces.push_back(c.field.force(n));
+    stars.push_back(source_star(c.mesh, n));
+  }
   std::vector<Triangle> triangles = c.mesh.triangles();
 
   CrackOutcome outcome;
@@ -93,12 +104,13 @@ void open_and_check(Cracked& c, std::int32_t v, const Vec3& normal, const CrackR
     if (c.mesh.area(f) < 1e-9 * c.area / old_faces) continue;
     ASSERT_LT(test::distance(c.field.stress(c.mesh, f), c.stress[c.mesh.source_face(f)]), 1e-5);
   }
-  // Only listed nodes changed their force, and all forces are in step.
+  // Only listed nodes changed their star and their force, and all forces are in step.
   const std::set<std::int32_t> nodes(outcome.changed_nodes.begin(), outcome.changed_nodes.end());
   for (std::int32_t n = 0; n < c.mesh.vertex_count(); ++n) {
     if (nodes.count(n) == 0) {
       ASSERT_LT(n, old_nodes);
       ASSERT_EQ(c.field.force(n), forces[n]);
+      ASSERT_EQ(source_star(c.mesh, n), stars[n]);
     }
   }
   StressField fresh = c.field;

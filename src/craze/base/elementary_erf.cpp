@@ -1,4 +1,5 @@
 // The error function.
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -59,28 +60,61 @@ constexpr double erf_of_eighths[] = {0x0.0p+0,
                                      0x1.ffffffffffffcp-1,
                                      0x1.fffffffffffffp-1};
 
+// 2/√π exp(−(k / 8)²), the slope there, as exp() gives it
+constexpr double slope_of_eighths[] = {
+    0x1.20dd750429b6dp+0,  0x1.1c62fa1e869b6p+0,  0x1.0f5d1602f7e41p+0,  0x1.f5f0cdaf15313p-1,
+    0x1.c1efca49a5011p-1,  0x1.86e9694134b9ep-1,  0x1.492e42d78d2c5p-1,  0x1.0cab61f084b93p-1,
+    0x1.a911f096fbc26p-2,  0x1.45e99bcbb7915p-2,  0x1.e4652fadcb6b1p-3,  0x1.5ce595c455b0ap-3,
+    0x1.e723726b824a8p-4,  0x1.499d478bca735p-4,  0x1.b055303221015p-5,  0x1.12ceb37ff9bc3p-5,
+    0x1.529b9e8cf9a1ep-6,  0x1.94624e78e0faep-7,  0x1.d4143a9dfe965p-8,  0x1.06918b6355624p-8,
+    0x1.1d83170fbf6fcp-9,  0x1.2ce898809244ep-10, 0x1.3360ccd23db3ap-11, 0x1.30538fbb77ecdp-12,
+    0x1.2408e9ba3327fp-13, 0x1.0f9e1b4dd36dfp-14, 0x1.e9b5e8d00ce76p-16, 0x1.abe09e9144b5ep-17,
+    0x1.6a597219a93d9p-18, 0x1.296a70f414053p-19, 0x1.d9371e2ff7c35p-21, 0x1.6ce1aa3fd7bdcp-22,
+    0x1.10b1488aeb235p-23, 0x1.8b0cfce0579ep-25,  0x1.155a09065d4f7p-26, 0x1.7974e743dea3dp-28,
+    0x1.f1e3523b41d7dp-30, 0x1.3e44e45301b92p-31, 0x1.8a61745ec7d1dp-33, 0x1.d9a880f306bd8p-35,
+    0x1.13af4f04f9998p-36, 0x1.370ab8327af5ep-38, 0x1.5422ef5d8949dp-40, 0x1.68823e52970bep-42,
+    0x1.7258610b3b233p-44, 0x1.70beaf9c7ffb6p-46, 0x1.63daf8b4b1e0cp-48, 0x1.4cd9c04158cd7p-50};
+
+constexpr std::size_t centres = std::size(erf_of_eighths), terms = 14;
+static_assert(std::size(slope_of_eighths) == centres);
+constexpr double inverses[] = {1.,     1. / 2,  1. / 3,  1. / 4,  1. / 5,  1. / 6,  1. / 7, 1. / 8,
+                               1. / 9, 1. / 10, 1. / 11, 1. / 12, 1. / 13, 1. / 14, 1. / 15};
+static_assert(std::size(inverses) == terms + 1);
+
+using Series = std::array<double, terms>;
+
+/// a₁ to a₁₄ for each c = k / 8. Taylor's series about c: exp(−(c+h)²) = exp(−c²) Σ aₙ hⁿ with
+/// aₙ₊₁ = −2 (c aₙ + aₙ₋₁) / (n + 1).
+constexpr std::array<Series, centres> taylor_series() {
+  std::array<Series, centres> series{};
+  for (std::size_t k = 0; k < centres; ++k) {
+    const double c = 0.125 * static_cast<double>(k);
+    double before = 0, a = 1;
+    for (std::size_t n = 1; n <= terms; ++n) {
+      const double next = -2 * (c * a + before) * inverses[n - 1];
+      before = a, a = next;
+      series[k][n - 1] = a;
+    }
+  }
+  return series;
+}
+constexpr std::array<Series, centres> series_of_eighths = taylor_series();
+
 }  // namespace
 
 double erf(double x) {
   if (x != x) return x;
   const double size = std::fabs(x);
   if (size >= 5.9375) return std::copysign(1.0, x);
-  const int k = static_cast<int>(std::floor(8 * size + 0.5));
-  const double c = 0.125 * k, h = size - c;
-  // Taylor's series about c: exp(−(c+h)²) = exp(−c²) Σ aₙ hⁿ with
-  // aₙ₊₁ = −2 (c aₙ + aₙ₋₁) / (n + 1), integrated term by term.
-  constexpr double inverses[] = {1.,      1. / 2,  1. / 3,  1. / 4,  1. / 5,
-                                 1. / 6,  1. / 7,  1. / 8,  1. / 9,  1. / 10,
-                                 1. / 11, 1. / 12, 1. / 13, 1. / 14, 1. / 15};
-  double before = 0, a = 1, power = h, tail = 0;
-  for (std::size_t n = 1; n < std::size(inverses); ++n) {
-    const double next = -2 * (c * a + before) * inverses[n - 1];
-    before = a, a = next;
-    tail += a * power * inverses[n];
+  const int k = static_cast<int>(8 * size + 0.5);
+  const double h = size - 0.125 * k, slope = slope_of_eighths[k];
+  // The series, integrated term by term.
+  const Series& a = series_of_eighths[k];
+  double power = h, tail = 0;
+  for (std::size_t n = 1; n <= terms; ++n) {
+    tail += a[n - 1] * power * inverses[n];
     power *= h;
   }
-  constexpr double two_per_root_pi = 0x1.20dd750429b6dp+0;
-  const double slope = k == 0 ? two_per_root_pi : two_per_root_pi * exp(-c * c);
   return std::copysign(erf_of_eighths[k] + (slope * h + slope * h * tail), x);
 }
 

@@ -108,19 +108,17 @@ class SelfIntersections::BoxTree {
     }
     for (std::size_t i = nodes_.size(); i-- > 0;) {
       Node& node = nodes_[i];
-      node.moved = false;
-      Box box;
       if (node.is_leaf()) {
-        for (std::size_t k = node.begin; k < node.end; ++k) {
-          box.extend(boxes_[order_[k]]);
-          node.moved = node.moved || moved_[order_[k]];
-        }
+        node.moved = std::any_of(at(node.begin), at(node.end),
+                                 [&](std::int32_t f) { return moved_[f] != 0; });
+        if (!node.moved) continue;
+        node.box.setEmpty();
+        for (std::size_t k = node.begin; k < node.end; ++k) node.box.extend(boxes_[order_[k]]);
       } else {
         const Node &first = nodes_[2 * i + 1], &second = nodes_[2 * i + 2];
         node.moved = first.moved || second.moved;
-        box = first.box.merged(second.box);
+        if (node.moved) node.box = first.box.merged(second.box);
       }
-      node.box = box;
     }
   }
 
@@ -164,13 +162,16 @@ class SelfIntersections::BoxTree {
     Eigen::Index axis = 0;
     centres.sizes().maxCoeff(&axis);
     const std::size_t middle = (begin + end) / 2;
-    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
     std::nth_element(at(begin), at(middle), at(end), [&](std::int32_t f, std::int32_t g) {
       const double a = boxes_[f].center()[axis], b = boxes_[g].center()[axis];
       return a != b ? a < b : f < g;
     });
     build(2 * node + 1, begin, middle);
     build(2 * node + 2, middle, end);
+  }
+
+  std::vector<std::int32_t>::iterator at(std::size_t i) {
+    return order_.begin() + static_cast<std::ptrdiff_t>(i);
   }
 
   bool apart(const Node& x, const Node& y) const {
@@ -253,16 +254,20 @@ const SelfIntersections::Pairs& SelfIntersections::at(const std::vector<Vec3>& p
                                                       const Context& context) {
   // Of more pairs than the limit not all are known, and which ones hangs on the tree.
   const bool knows_last = tree_ && pairs_.size() < limit_;
-  std::vector<char> moved(triangles_.size(), 0);
-  for (std::size_t f = 0; f < moved.size() && knows_last; ++f) {
-    for (const std::int32_t v : triangles_[f]) moved[f] |= positions_[v] != positions[v] ? 1 : 0;
-  }
-  positions_ = positions;
   if (knows_last) {
+    std::vector<char> vertex_moved(positions.size()), moved(triangles_.size(), 0);
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      vertex_moved[v] = positions_[v] != positions[v] ? 1 : 0;
+    }
+    for (std::size_t f = 0; f < moved.size(); ++f) {
+      for (const std::int32_t v : triangles_[f]) moved[f] |= vertex_moved[v];
+    }
+    positions_ = positions;
     tree_->refit({positions_, triangles_}, std::move(moved));
     find(false, context);
   }
   if (!knows_last || pairs_.size() >= limit_) {
+    positions_ = positions;
     tree_ = std::make_unique<BoxTree>(Triangles{positions_, triangles_}, triangles_.size());
     find(true, context);
   }

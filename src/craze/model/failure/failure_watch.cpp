@@ -16,6 +16,8 @@ namespace {
 constexpr double arrest_cosine = 0.98;
 // Keeps v⁺ over the threshold finite where the surface has no toughness at all.
 constexpr double least_scale = 1e-100;
+// In resistance_.
+constexpr double unknown = -1;
 // A node is looked at again when its v⁺ may have come this part of the way to the threshold.
 constexpr double unwatched_part = 0.35;
 
@@ -30,6 +32,7 @@ FailureWatch::FailureWatch(const SimulationParameters& parameters)
 void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes,
                            const Threads& threads) {
   failing_.resize(scene.mesh.vertex_count());
+  resistance_.resize(scene.mesh.vertex_count(), unknown);
   if (!scene.fields.healed.empty()) scars_.resize(scene.mesh.vertex_count());
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -93,8 +96,7 @@ Sym3 FailureWatch::biased(const Scene& scene, std::int32_t v, const Sym3& separa
 }
 
 Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) {
-  const double scale =
-      std::max(least_scale, mean_factor(scene.mesh, scene.fields.toughness_scale, v));
+  const double scale = resistance(scene, v);
   const double load = scene.loading.load();
   const double weight = mean_factor(scene.mesh, scene.fields.separation_scale, v);
   const Sym3 tensor =
@@ -163,6 +165,14 @@ CrackPlane FailureWatch::crack_plane(const Scene& scene, std::int32_t v) {
   return {plane.vector, true};
 }
 
+double FailureWatch::resistance(const Scene& scene, std::int32_t v) {
+  double& factor = resistance_[v];
+  if (factor == unknown) {
+    factor = std::max(least_scale, mean_factor(scene.mesh, scene.fields.toughness_scale, v));
+  }
+  return factor;
+}
+
 const Mat3& FailureWatch::weakness(const Scene& scene, std::int32_t v) {
   Scar& scar = scars_[v];
   const Vec3& position = scene.mesh.position(v);
@@ -199,6 +209,7 @@ void FailureWatch::opened(const Scene& scene, std::int32_t v, const Vec3& normal
   }
   for (const std::int32_t n : outcome.changed_nodes) {
     changed.push_back(n);
+    if (n < static_cast<std::int32_t>(resistance_.size())) resistance_[n] = unknown;
     arrested_.erase(n);
     queue_.remove(n);
     if (!criterion_.node_changed(scene.mesh, n)) continue;

@@ -90,6 +90,9 @@ class FailureWatch {
   Failure evaluate(const Scene& scene, std::int32_t v, bool exact);
   Failure failure_of(const Scene& scene, std::int32_t v, const Sym3& separation, double scale,
                      bool exact);
+  /// The factor on strength and toughness that the faces around v have, kept until its star
+  /// changes.
+  double resistance(const Scene& scene, std::int32_t v);
   const Mat3& weakness(const Scene& scene, std::int32_t v);
   void enter(const Scene& scene, std::int32_t v);
 
@@ -98,6 +101,7 @@ class FailureWatch {
   StressAhead stress_ahead_;
   FailureQueue queue_;                                // by measure, or its upper bound
   std::vector<Failure> failing_;                      // #V
+  std::vector<double> resistance_;                    // #V, −1: not known
   std::vector<Scar> scars_;                           // #V where cracks have healed
   std::unordered_map<std::int32_t, Sym3> residuals_;  // Eq. 8, of live tips
   std::unordered_map<std::int32_t, Vec3> arrested_;   // planes on which a node could not open

@@ -19,6 +19,8 @@ namespace {
 constexpr int most_stalled_rounds = 8;
 // A node with this part of the squared tolerance left is a seed of a patch.
 constexpr double seed_part = 0.25;
+// Nodes are asked for this many before they are read.
+constexpr std::size_t ahead = 8;
 
 /// |F − κ A u|² in the tangent plane; 0 where the node is held.
 double squared_residual(const LayerState& layer, std::int32_t v) {
@@ -126,7 +128,14 @@ void Equilibrium::review(const LayerState& layer, std::size_t index) {
   patch.largest_residual = 0;
   const double allowed = options_.tolerance * options_.tolerance;
   // Where answers overlap, or single precision was not enough, some more may be left to do.
-  for (const std::int32_t v : patch.solver.nodes()) {
+  const std::vector<std::int32_t>& nodes = patch.solver.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (i + ahead < nodes.size()) {
+      layer.prefetch(nodes[i + ahead]);
+      __builtin_prefetch(&drift_[nodes[i + ahead]]);
+      __builtin_prefetch(&allowed_[nodes[i + ahead]]);
+    }
+    const std::int32_t v = nodes[i];
     if (drift_[v] > allowed_[v]) patch.moved.push_back(v);
     const double residual = squared_residual(layer, v);
     if (!(residual > allowed)) continue;
@@ -238,9 +247,10 @@ void Equilibrium::apply(StressField& field, const LayerState& layer, Patch& patc
   }
   patch.faces.clear();
   const auto add_faces = [&](const std::vector<std::int32_t>& nodes) {
-    for (const std::int32_t v : nodes) {
-      const TangentStiffness::Faces own = layer.stiffness.own_faces(v);
-      patch.faces.insert(patch.faces.end(), own.begin(), own.end());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (i + ahead < nodes.size()) layer.stiffness.prefetch_faces(nodes[i + ahead]);
+      const TangentStiffness::Faces own = layer.stiffness.own_faces(nodes[i]);
+      for (const std::int32_t f : own) patch.faces.push_back(f);  // two of them, mostly
     }
   };
   add_faces(solver.nodes());

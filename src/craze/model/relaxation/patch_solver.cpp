@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 namespace craze {
@@ -25,16 +26,13 @@ inline void store(float* to, const Lanes& lanes) {
   std::memcpy(to, &lanes, sizeof(lanes));
 }
 
-/// (x0, x0, x1, x1, y0, y0, y1, y1)
+/// (x0, x1, x0, x1, y0, y1, y0, y1)
 inline void spread(Lanes& lanes, const float* x, const float* y) {
-  double both[2];
-  std::memcpy(&both[0], x, sizeof(double));
-  std::memcpy(&both[1], y, sizeof(double));
-  using Doubles = double __attribute__((vector_size(16)));
-  const Doubles pair = {both[0], both[1]};
-  Vec4f::Lanes four;
-  std::memcpy(&four, &pair, sizeof(four));
-  lanes = __builtin_shufflevector(four, four, 0, 0, 1, 1, 2, 2, 3, 3);
+  double first, second;
+  std::memcpy(&first, x, sizeof(double));
+  std::memcpy(&second, y, sizeof(double));
+  const Vec4d::Lanes pairs = {first, first, second, second};
+  std::memcpy(&lanes, &pairs, sizeof(lanes));
 }
 
 inline float sum(const Lanes& v) {
@@ -45,25 +43,38 @@ inline float largest(const Lanes& v) {
   return std::max(std::max(v[0], v[2]), std::max(v[4], v[6]));
 }
 
+/// The two numbers of a node, and two zeros.
+inline void load_pair(Vec4f::Lanes& four, const float* from) {
+  double both;
+  std::memcpy(&both, from, sizeof(both));
+  using Doubles = double __attribute__((vector_size(16)));
+  const Doubles lanes = {both, 0};
+  std::memcpy(&four, &lanes, sizeof(four));
+}
+
 /// Nodes [0, count) of y = K p, whose rows are given; returns p·y.
 CRAZE_WIDE float multiply(const std::int32_t* row_begin, const std::int32_t* columns,
                           const Vec4f* blocks, std::int32_t count, const float* p, float* y) {
-  float py0 = 0, py1 = 0;
+  Vec4f::Lanes py = {0, 0, 0, 0};
   for (std::int32_t i = 0; i < count; ++i) {
     Lanes row = {0, 0, 0, 0, 0, 0, 0, 0}, block, x;
+    Vec4f::Lanes pi;
     for (std::int32_t k = row_begin[i]; k < row_begin[i + 1]; k += 2) {
       load(block, reinterpret_cast<const float*>(blocks + k));
-      spread(x, p + 2 * columns[k], p + 2 * columns[k + 1]);
+      spread(x, p + 2 * std::ptrdiff_t{columns[k]}, p + 2 * std::ptrdiff_t{columns[k + 1]});
       row += block * x;
     }
-    const float y0 = (row[0] + row[2]) + (row[4] + row[6]);
-    const float y1 = (row[1] + row[3]) + (row[5] + row[7]);
-    y[2 * i] = y0;
-    y[2 * i + 1] = y1;
-    py0 += p[2 * i] * y0;
-    py1 += p[2 * i + 1] * y1;
+    // A block's first row lies before its second.
+    row += __builtin_shufflevector(row, row, 1, 0, 3, 2, 5, 4, 7, 6);
+    const Vec4f::Lanes sums = __builtin_shufflevector(row, row, 0, 1, 2, 3) +
+                              __builtin_shufflevector(row, row, 4, 5, 6, 7);
+    const Vec4f::Lanes yi = __builtin_shufflevector(sums, sums, 0, 2, 0, 2);
+    y[2 * i] = yi[0];
+    y[2 * i + 1] = yi[1];
+    load_pair(pi, p + 2 * i);
+    py += pi * yi;
   }
-  return py0 + py1;
+  return py[0] + py[1];
 }
 
 /// What a step of an iteration leaves.
@@ -202,7 +213,7 @@ void PatchSolver::activate() {
     if (!(determinant > 0)) continue;  // nothing holds it
     inverse_diagonal_[2 * i] = k[3] / determinant;
     inverse_diagonal_[2 * i + 1] = k[0] / determinant;
-    inverse_off_diagonal_[2 * i] = inverse_off_diagonal_[2 * i + 1] = -k[1] / determinant;
+    inverse_off_diagonal_[2 * i] = inverse_off_diagonal_[2 * i + 1] = -k[2] / determinant;
   }
   active_ = loaded_;
 }

@@ -94,8 +94,8 @@ void TangentStiffness::draft_row(const TriangleMesh& mesh, const StressField& fi
         const double projected = mine.dot(its) - mine.dot(normal) * normal.dot(its) / squared;
         return 0.5 * (mine.dot(gb) * ga.dot(its) + c * projected);
       };
-      const std::array<double, 4> block = {entry(basis.a, other.a), entry(basis.b, other.a),
-                                           entry(basis.a, other.b), entry(basis.b, other.b)};
+      const std::array<double, 4> block = {entry(basis.a, other.a), entry(basis.a, other.b),
+                                           entry(basis.b, other.a), entry(basis.b, other.b)};
       const auto found = std::find(draft.columns.begin(), draft.columns.end(), n);
       const auto slot = static_cast<std::size_t>(found - draft.columns.begin());
       if (found == draft.columns.end()) {

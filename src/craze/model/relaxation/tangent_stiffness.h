@@ -26,7 +26,7 @@ struct PlaneBasis {
 /// About 240 bytes a node.
 class TangentStiffness {
  public:
-  /// One row of 2x2 blocks, column-major (k00 k10 k01 k11). The first entry is the diagonal.
+  /// One row of 2x2 blocks, row-major (k00 k01 k10 k11). The first entry is the diagonal.
   struct Row {
     const std::int32_t* columns;  ///< node of each block
     const Vec4f* blocks;
@@ -62,6 +62,7 @@ class TangentStiffness {
     for (int line = 0; line < 2; ++line) __builtin_prefetch(blocks + 64 * line);
     __builtin_prefetch(columns_.data() + begin);
   }
+  void prefetch_faces(std::int32_t v) const { __builtin_prefetch(&faces_[rows_[v].begin]); }
   void prefetch_extent(std::int32_t v) const { __builtin_prefetch(&rows_[v]); }
   Faces own_faces(std::int32_t v) const { return {faces_.data() + rows_[v].begin, rows_[v].faces}; }
 
