@@ -29,7 +29,7 @@ TEST(MaterialLooks, TexturesAreFoundBesideTheInput) {
   const auto looks = shown({look, look}, (folder / "a.ply").string(), said);
   ASSERT_EQ(looks.size(), 2u);
   EXPECT_EQ(looks[0].texture, looks[1].texture) << "decoded once";
-  EXPECT_LT((looks[0].at({0, 0}) - render::Rgb(1, 0, 0)).abs().maxCoeff(), 1e-6);
+  EXPECT_LT((looks[0].at({0, 0}).color - render::Rgb(1, 0, 0)).abs().maxCoeff(), 1e-6);
   EXPECT_TRUE(said.empty());
 }
 
@@ -56,6 +56,13 @@ TEST(MaterialLooks, GreyWithoutTexturesSaysNothing) {
   MaterialLook red = grey;
   red.base_color[0] = 1;
   EXPECT_EQ(shown({grey, red}, "a.glb", said).size(), 2u);
+  MaterialLook glass = grey;
+  glass.alpha = MaterialLook::Alpha::blended;
+  glass.base_color[3] = 0.25f;
+  const auto looks = shown({grey, glass}, "a.glb", said);
+  ASSERT_EQ(looks.size(), 2u);
+  EXPECT_TRUE(looks[1].is_see_through());
+  EXPECT_EQ(looks[1].at_factor().cover, 0.25f);
 }
 
 TEST(MaterialLooks, FilesAreNamedFromTheOutput) {

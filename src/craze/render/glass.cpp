@@ -4,7 +4,7 @@
 
 #include "craze/base/elementary.h"
 #include "craze/render/noise.h"
-#include "craze/render/rays.h"
+#include "craze/render/rays/rays.h"
 #include "craze/render/tracer.h"
 
 namespace craze::render {

@@ -8,7 +8,7 @@
 #include "craze/render/look.h"
 #include "craze/render/marks.h"
 #include "craze/render/material.h"
-#include "craze/render/ray_scene.h"
+#include "craze/render/rays/ray_scene.h"
 #include "craze/surface_mesh.h"
 
 namespace craze::render {

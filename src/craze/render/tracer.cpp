@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "craze/render/rays.h"
+#include "craze/render/rays/rays.h"
 
 namespace craze::render {
 

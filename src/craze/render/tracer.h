@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "craze/render/film.h"
-#include "craze/render/light_left.h"
 #include "craze/render/material.h"
-#include "craze/render/ray_scene.h"
+#include "craze/render/rays/light_left.h"
+#include "craze/render/rays/ray_scene.h"
 #include "craze/render/sampling.h"
 #include "craze/render/studio.h"
 #include "craze/render/surface.h"

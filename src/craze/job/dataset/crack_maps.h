@@ -7,7 +7,7 @@
 #include "craze/context.h"
 #include "craze/job/dataset/crack_strips.h"
 #include "craze/job/dataset/scene.h"
-#include "craze/render/ray_scene.h"
+#include "craze/render/rays/ray_scene.h"
 
 namespace craze {
 

@@ -6,7 +6,7 @@
 #include "craze/job/dataset/projection.h"
 #include "craze/job/plan/plan.h"
 #include "craze/render/marks.h"
-#include "craze/render/ray_scene.h"
+#include "craze/render/rays/ray_scene.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "craze/render/picture.h"
-#include "craze/render/ray_scene.h"
+#include "craze/render/rays/ray_scene.h"
 #include "craze/tensor.h"
 
 namespace craze {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "craze/job/dataset/scene.h"
-#include "craze/render/ray_scene.h"
+#include "craze/render/rays/ray_scene.h"
 
 namespace craze {
 

@@ -284,6 +284,61 @@ TEST(SceneKept, LinesLieBelowThePartsNodeAndMoveWithIt) {
   EXPECT_EQ(after.json["animations"][0]["channels"][2]["target"]["node"], nodes + 1);
 }
 
+/// Where the channels of an animation point to.
+std::vector<std::string> pointers(const Json& animation) {
+  std::vector<std::string> all;
+  for (const Json& channel : animation["channels"]) {
+    const Json::json_pointer at("/target/extensions/KHR_animation_pointer/pointer");
+    all.push_back(channel.contains(at) ? channel[at].get<std::string>() : "");
+  }
+  return all;
+}
+
+TEST(SceneKept, WeightsThatAPointerMovesMoveThoseOfLinesAndPiecesToo) {
+  SceneFile before = truck();
+  Json& channels = before.json["animations"][0]["channels"];
+  const auto point = [&](const std::string& at) {
+    Json channel = channels[1];
+    channel["target"] = {{"path", "pointer"}};
+    channel["target"]["extensions"]["KHR_animation_pointer"]["pointer"] = at;
+    channels.push_back(std::move(channel));
+  };
+  for (const char* at : {"/nodes/5/weights", "/nodes/5/weights/0", "/nodes/5/scale",
+                         "/nodes/5/weightsome", "/materials/0/alphaCutoff", "/nodes/x"}) {
+    point(at);
+  }
+  const std::vector<std::string> old = pointers(before.json["animations"][0]);
+  const MeshFile file = read(before);
+  HandCut cut(file.mesh);
+  cut.cut(banner);
+  const SceneFile after = cut.write(file);
+  const std::string lines = "/nodes/" + std::to_string(before.json["nodes"].size());
+  std::vector<std::string> expected = old;
+  expected.insert(expected.end(), {"", lines + "/weights", lines + "/weights/0"});
+  EXPECT_EQ(pointers(after.json["animations"][0]), expected);
+  // On another surface nothing has weights.
+  const SceneFile other(format_mesh(file.mesh, "glb", {.scene = file.scene}));
+  ASSERT_TRUE(other.json.contains("animations"));
+  EXPECT_EQ(pointers(other.json["animations"][0]),
+            (std::vector<std::string>{"", "/nodes/5/scale", "/nodes/5/weightsome",
+                                      "/materials/0/alphaCutoff", "/nodes/x"}));
+}
+
+TEST(SceneKept, WhatTheGrowthOfAnotherSurfaceLeavesOutIsNamedWithItsReason) {
+  const MeshFile file = read(truck());
+  HandCut cut(file.mesh);
+  const MorphAnimation growth{2, {{}, {}}};
+  MeshFileOptions options = cut.options(file);
+  options.origin = nullptr;
+  options.animation = &growth;
+  std::vector<std::string> told;
+  options.warn = [&](const std::string& sentence) { told.push_back(sentence); };
+  format_mesh(cut.mesh, "glb", options);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("the growth of another surface"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("nodes"), std::string::npos) << told[0];
+}
+
 TEST(SceneKept, TrianglesThatTheCutMeshLeavesOutStay) {
   const MeshFile file = read(truck());
   HandCut cut(file.mesh);

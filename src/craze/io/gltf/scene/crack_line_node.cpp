@@ -2,6 +2,7 @@
 
 #include "craze/io/gltf/gltf_primitive.h"
 #include "craze/io/gltf/scene/crack_primitives.h"
+#include "craze/io/gltf/scene/weight_channels.h"
 
 namespace craze {
 
@@ -74,11 +75,10 @@ void animate_as(std::size_t node, std::size_t lines, Json& root) {
   for (Json& animation : root["animations"]) {
     Json copies = Json::array();
     for (const Json& channel : animation["channels"]) {
-      const Json& target = channel["target"];
-      if (!target.contains("node") || target["node"] != Json(node)) continue;
-      if (target.value("path", "") != "weights") continue;
+      const auto moved = moved_weights(channel);
+      if (!moved || moved->node != node) continue;
       copies.push_back(channel);
-      copies.back()["target"]["node"] = lines;
+      move_weights_of(lines, copies.back());
     }
     for (Json& copy : copies) animation["channels"].push_back(std::move(copy));
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "craze/io/gltf/scene/weight_channels.h"
 #include "craze/io/gltf/solids/scene_solid.h"
 #include "craze/io/gltf/solids/solid_node.h"
 #include "craze/io/polygons/float_grid.h"
@@ -93,14 +94,13 @@ void hand_on_weights(std::size_t node, const std::vector<std::size_t>& to, bool 
   for (Json& animation : root["animations"]) {
     Json channels = Json::array();
     for (Json& channel : animation["channels"]) {
-      const Json& target = channel["target"];
-      const bool is_its = target.contains("node") && target["node"] == Json(node) &&
-                          target.value("path", "") == "weights";
+      const auto moved = moved_weights(channel);
+      const bool is_its = moved && moved->node == node;
       if (!is_its || stays) channels.push_back(channel);
       if (!is_its) continue;
       for (const std::size_t heir : to) {
         channels.push_back(channel);
-        channels.back()["target"]["node"] = heir;
+        move_weights_of(heir, channels.back());
       }
     }
     animation["channels"] = std::move(channels);

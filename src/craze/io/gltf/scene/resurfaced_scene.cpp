@@ -12,6 +12,7 @@
 #include "craze/io/gltf/line_lifts.h"
 #include "craze/io/gltf/scene/scene_materials.h"
 #include "craze/io/gltf/scene/scene_output.h"
+#include "craze/io/gltf/scene/weight_channels.h"
 #include "craze/io/gltf/solids/scene_solid.h"
 #include "craze/io/gltf/solids/solid_node.h"
 #include "craze/io/polygons/float_grid.h"
@@ -100,7 +101,10 @@ class Resurfacer {
     Json animations = Json::array();
     for (Json& animation : root["animations"]) {
       std::erase_if(animation["channels"].get_ref<Json::array_t&>(), [](const Json& channel) {
-        return channel["target"].value("path", "") == "weights";
+        const std::string pointer = animation_pointer(channel);
+        return channel["target"].value("path", Json()) == Json("weights") ||
+               moved_weights(channel) || pointer.starts_with("/meshes/") ||
+               pointer.starts_with("/skins/");
       });
       if (!animation["channels"].empty()) animations.push_back(std::move(animation));
     }

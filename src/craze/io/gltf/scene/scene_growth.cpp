@@ -4,6 +4,7 @@
 #include <map>
 
 #include "craze/io/gltf/growth_clip.h"
+#include "craze/io/gltf/scene/weight_channels.h"
 
 namespace craze {
 
@@ -136,9 +137,8 @@ void SceneGrowth::widen_animations(const MovingNode& moving, GltfAccessors& acce
   if (own == 0 || !output.root.contains("animations")) return;
   for (Json& animation : output.root["animations"]) {
     for (Json& channel : animation["channels"]) {
-      const Json& target = channel["target"];
-      if (!target.contains("node") || target["node"] != Json(moving.node)) continue;
-      if (target.value("path", "") != "weights") continue;
+      const auto moved = moved_weights(channel);
+      if (!moved || moved->node != moving.node || !moved->one.empty()) continue;
       const auto number = channel["sampler"].get<std::size_t>();
       Json sampler = animation["samplers"][number];
       const auto old = sampler["output"].get<std::size_t>();

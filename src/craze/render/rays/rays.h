@@ -1,7 +1,7 @@
 // Where rays go from a surface.
 #pragma once
 
-#include "craze/render/ray_scene.h"
+#include "craze/render/rays/ray_scene.h"
 #include "craze/render/surface.h"
 
 namespace craze::render {

@@ -1,6 +1,6 @@
-#include "craze/render/light_left.h"
+#include "craze/render/rays/light_left.h"
 
-#include "craze/render/rays.h"
+#include "craze/render/rays/rays.h"
 
 namespace craze::render {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "craze/render/material.h"
-#include "craze/render/ray_scene.h"
+#include "craze/render/rays/ray_scene.h"
 #include "craze/render/surface.h"
 
 namespace craze::render {

@@ -1,4 +1,4 @@
-#include "craze/render/ray_scene.h"
+#include "craze/render/rays/ray_scene.h"
 
 #include <embree3/rtcore.h>
 
