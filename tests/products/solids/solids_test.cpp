@@ -84,6 +84,24 @@ TEST(Solids, OfTheSimulationsMeshAreJustAsSound) {
   }
 }
 
+TEST(Solids, OfRoughCracksThatGapeDoNotMeetWhereRimsAreInEachOthersWay) {
+  int shut = 0;
+  for (const double roughness : {0.0, 0.06}) {
+    const Result smooth = test::cracked_shape("cup?n=30", "mud", 0.15);
+    PostParameters post = solid(0.01, 0.03);
+    post.relative_roughness = roughness;
+    const Result result = with_post(smooth, post, {});
+    const Opening opening(result, post, {});
+    EXPECT_FALSE(says_it_crosses(opening));
+    for (const std::string& warning : opening.warnings()) {
+      shut += warning.find("their cracks open less") != std::string::npos;
+    }
+    expect_sound(fragments(opening.mesh()));
+    EXPECT_TRUE(self_intersections(opening.mesh().positions, opening.mesh().triangles).empty());
+  }
+  EXPECT_GT(shut, 0);  // it is a case of that
+}
+
 TEST(Solids, WithWedgesMeetAtTheirInnerSurfacesAndNowhereElse) {
   for (const char* shape : {"plate?n=20&jitter=0.3", "cup", "sphere?n=14"}) {
     SCOPED_TRACE(shape);

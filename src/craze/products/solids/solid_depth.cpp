@@ -53,7 +53,7 @@ class DepthLimiter {
       context_.report({"thicken", static_cast<double>(round) / rounds});
       context_.check();
       spread_limit(mesh_, shape_.sites, on_site_, thickness_, growth, 1, limit.depth);
-      limit.crossings = step(limit.depth);
+      limit.crossings = step(limit.depth, limit.stuck);
       if (limit.crossings == 0) break;
     }
     context_.report({"thicken", 1});
@@ -65,10 +65,10 @@ class DepthLimiter {
   }
 
  private:
-  /// Takes back where it is too deep; how many pairs and faces said so.
-  std::int32_t step(std::vector<double>& depth) {
+  /// Takes back where it is too deep (`less`, #V); how many pairs and faces said so.
+  std::int32_t step(std::vector<double>& depth, std::vector<std::uint8_t>& less) {
     const std::vector<Vec3> positions = shape_.positions(depth);
-    std::vector<std::uint8_t> less(depth.size(), 0);
+    less.assign(depth.size(), 0);
     std::int32_t wrong = 0;
     const auto mark = [&](std::int32_t triangle) {
       for (const std::int32_t v : triangles_[triangle]) {

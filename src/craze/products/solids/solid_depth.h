@@ -14,6 +14,7 @@ struct SolidDepth {
   std::int32_t limited = 0;    ///< vertices of the mesh that are less deep than asked for
   double least = 1;            ///< the smallest share of the thickness
   std::int32_t crossings = 0;  ///< pairs of triangles that cross, or are turned over, all the same
+  std::vector<std::uint8_t> stuck;  ///< #V, 1 at those pairs
 };
 
 /// Starts with `thickness` (> 0), where there is room for it behind the surface, takes back what

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include "craze/mesh/bounding_diagonal.h"
+#include "craze/products/opening/spread_limit.h"
 #include "craze/products/solids/shells.h"
 #include "craze/products/solids/solid_depth.h"
 #include "craze/products/solids/solid_shape.h"
@@ -13,6 +16,49 @@
 namespace craze {
 
 namespace {
+
+constexpr int most_closings = 8;
+
+/// Takes cracks back to where they were shut, there and less and less around.
+class CrackShutter {
+ public:
+  CrackShutter(const TriangleMesh& mesh, const CrackSites& sites, std::vector<Vec3> opened)
+      : mesh_(mesh),
+        sites_(sites),
+        opened_(std::move(opened)),
+        on_site_(sites.vertex.size()),
+        share_(opened_.size(), 1) {
+    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+      if (sites.site_of[v] >= 0) on_site_[sites.site_of[v]].push_back(v);
+      farthest_ = std::max(farthest_, (opened_[v] - mesh.position(v)).norm());
+    }
+  }
+
+  /// `where` (#V); sets `positions` (#V).
+  void shut(const std::vector<std::uint8_t>& where, std::vector<Vec3>& positions) {
+    constexpr double taper = 3;  // in farthest moves: vertices keep their order along a crack
+    for (std::size_t v = 0; v < share_.size(); ++v) {
+      if (where[v]) share_[v] = 0;
+    }
+    spread_limit(mesh_, sites_, on_site_, 1, 1, taper * farthest_, share_);
+    for (std::size_t v = 0; v < share_.size(); ++v) {
+      const Vec3& at = mesh_.positions()[v];
+      positions[v] = share_[v] < 1 ? Vec3(at + share_[v] * (opened_[v] - at)) : opened_[v];
+    }
+  }
+
+  std::int64_t shut_vertices() const {
+    return std::count_if(share_.begin(), share_.end(), [](double s) { return s < 1; });
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  const CrackSites& sites_;
+  std::vector<Vec3> opened_;
+  std::vector<std::vector<std::int32_t>> on_site_;
+  std::vector<double> share_;  // #V, of the way from shut to open
+  double farthest_ = 0;
+};
 
 void append(const SolidTopology& topology, std::vector<Vec3> positions, OpenedMesh& opened) {
   const auto faces = static_cast<std::int32_t>(opened.mesh.triangles.size());
@@ -30,9 +76,15 @@ void append(const SolidTopology& topology, std::vector<Vec3> positions, OpenedMe
   opened.beside.insert(opened.beside.end(), topology.beside.begin(), topology.beside.end());
 }
 
-std::vector<std::string> warnings_of(const SolidDepth& limit, const SolidTopology& topology,
-                                     const SolidOptions& options) {
+std::vector<std::string> warnings_of(const SolidDepth& limit, std::int64_t shut,
+                                     const SolidTopology& topology, const SolidOptions& options) {
   std::vector<std::string> warnings;
+  if (shut > 0) {
+    warnings.push_back(fmt::format(
+        "pieces would pass through each other however thin (post.gap): at {} of {} vertices their "
+        "cracks open less, or not at all",
+        shut, limit.depth.size()));
+  }
   if (limit.limited > 0) {
     warnings.push_back(fmt::format(
         "post.thickness is more than there is room for: at {} of {} vertices pieces are less "
@@ -62,15 +114,21 @@ std::vector<std::string> make_solid(const TriangleMesh& mesh, const CrackSites& 
   }
   const Shells shells = find_shells(mesh, sites);
   const SolidTopology topology = solid_topology(mesh, sites, options.core ? &shells : nullptr);
-  const std::vector<double> clearance = largest_moves(mesh, sites, opened.mesh.positions);
   // Beyond the object's own size more thickness shows nothing more.
   const double thickness = std::min(options.thickness, bounding_diagonal(mesh.positions()));
+  std::vector<double> clearance = largest_moves(mesh, sites, opened.mesh.positions);
   const SolidShape shape{
       mesh,    sites, shells, opened.mesh.positions, outwards, clearance, options.wedge / thickness,
       topology};
-  const SolidDepth limit = limit_depth(shape, thickness, context);
+  SolidDepth limit = limit_depth(shape, thickness, context);
+  CrackShutter shutter(mesh, sites, opened.mesh.positions);
+  for (int round = 0; limit.crossings > 0 && round < most_closings; ++round) {
+    shutter.shut(limit.stuck, opened.mesh.positions);
+    clearance = largest_moves(mesh, sites, opened.mesh.positions);
+    limit = limit_depth(shape, thickness, context);
+  }
   append(topology, shape.positions(limit.depth), opened);
-  return warnings_of(limit, topology, options);
+  return warnings_of(limit, shutter.shut_vertices(), topology, options);
 }
 
 }  // namespace craze
