@@ -44,7 +44,10 @@ int verify(const Options& options) {
   const std::vector<std::string> faults = verify_dataset(options.folder, run.context());
   std::string text;
   for (const std::string& fault : faults) text += fault + "\n";
-  if (faults.empty() && !options.run.quiet) text = "the set is whole\n";
+  if (!options.run.quiet) {
+    text += faults.empty() ? "the set is whole\n"
+                           : "remove the archives that are not, and make the set again\n";
+  }
   const int code = print(text);
   return faults.empty() ? code : failed;
 }

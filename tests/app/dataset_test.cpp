@@ -161,7 +161,9 @@ TEST_F(Dataset, HostilePlansAreRefusedInOneLine) {
       {"[lines]\nwidth = {uniform = [0, 3]}", "lines.width"},
       {"[object]\nmesh = 3", "must be text"},
       {"[surface]\nmaterial = \"gold\"", "choose one of"},
-      {"[recipe]\npreset = \"marble\"", "marble"},
+      {"[recipe]\npreset = \"marble\"", "bad.toml:2:10"},
+      {"[recipe]\npost.gap = 0.1", "no recipe.post.gap in a dataset"},
+      {"samples = 1000000000\nshard_samples = 1", "too many shards"},
   };
   for (const auto& [text, words] : cases) {
     write("bad.toml", text);
@@ -175,6 +177,70 @@ TEST_F(Dataset, HostilePlansAreRefusedInOneLine) {
   const CommandResult none = run({"dataset", "none.toml", "-o", "none"});
   EXPECT_EQ(none.code, 1);
   EXPECT_NE(none.err.find("none.obj"), std::string::npos) << none.err;
+  EXPECT_FALSE(std::filesystem::exists(file("none")));
+}
+
+TEST_F(Dataset, DamagedFoldersAreRefusedInOneLine) {
+  make("set");
+  const auto whole = bytes_of("set");
+  std::string archive = whole.at("shards/000000.tar");
+  archive.replace(archive.find("{\"id\""), 6, "[[[[[[");
+  const struct {
+    std::string name, bytes;
+    std::vector<std::string> command;
+    std::string words;
+  } cases[] = {
+      {"made_by.json", "[]", {"dataset", "verify", "set"}, "it is damaged"},
+      {"made_by.json", "{\"kind\": 3}", {"dataset", "look", "set"}, "it is damaged"},
+      {"shards/000000.tar", archive, {"dataset", "look", "set"}, "cannot show a sample"},
+      {"shards/000001.coco.json", "{", {"dataset", "plan.toml", "-o", "set"}, "remove that file"},
+  };
+  for (const auto& c : cases) {
+    write("set/" + c.name, c.bytes);
+    const CommandResult result = run(c.command);
+    EXPECT_EQ(result.code, 1) << c.name;
+    EXPECT_NE(result.err.find(c.words), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
+    write("set/" + c.name, whole.at(c.name));
+  }
+  std::filesystem::remove(file("set/shards/000001.coco.json"));
+  make("set");
+  EXPECT_EQ(bytes_of("set"), whole);
+}
+
+TEST_F(Dataset, VerifyFindsWhatIsNotThePlansAndWhatIsNotTheArchives) {
+  make("set");
+  const std::pair<std::string, std::string> cases[] = {
+      {"masks/000000001.png", "masks/000000001.png is not what its archive has"},
+      {"plan.toml", "is of another plan than plan.toml"},
+      {"shards/000000.json", "not whole"},
+  };
+  for (const auto& [name, words] : cases) {
+    const std::string bytes = read_text(file("set/" + name));
+    std::string changed = bytes + "\n";
+    if (const auto at = changed.find("\"first\": 0"); at != std::string::npos)
+      changed[at + 9] = '4';
+    write("set/" + name, changed);
+    const CommandResult result = run({"dataset", "verify", "set"});
+    EXPECT_EQ(result.code, 1) << name;
+    EXPECT_NE(result.out.find(words), std::string::npos) << result.out;
+    write("set/" + name, bytes);
+  }
+  EXPECT_EQ(run({"dataset", "verify", "set"}).code, 0);
+}
+
+TEST_F(Dataset, RoughLinesAreOfTheRecipe) {
+  make("smooth");
+  write("plan.toml", std::string(small_plan)
+                         .replace(std::string(small_plan).find("preset"), 0,
+                                  "post.relative_roughness = 0.06\n"));
+  make("rough");
+  const auto smooth = bytes_of("smooth"), rough = bytes_of("rough");
+  int other = 0;
+  for (const auto& [name, bytes] : smooth) {
+    if (name.rfind("masks/", 0) == 0) other += rough.at(name) != bytes;
+  }
+  EXPECT_GT(other, 2);
 }
 
 TEST_F(Dataset, ADiskThatIsFullLeavesNothingHalf) {

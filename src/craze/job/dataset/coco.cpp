@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "craze/error.h"
 #include "craze/io/files/new_file.h"
 #include "craze/io/files/read_file.h"
 
@@ -29,8 +30,14 @@ std::string lines(const std::vector<std::string>& objects) {
 }
 
 /// The lines of a part's images, or of its annotations.
-std::string_view section(const std::string& text, bool annotations) {
+std::string_view section(const std::string& text, bool annotations,
+                         const std::filesystem::path& part) {
   const std::size_t middle = text.find(between);
+  if (text.compare(0, head.size(), head) != 0 || middle == std::string::npos ||
+      text.size() < middle + between.size() + tail.size()) {
+    throw Error(ErrorKind::input, "cannot join a shard's boxes", part.string(),
+                "they are damaged; remove that file and make the set again");
+  }
   const std::string_view all(text);
   return annotations ? all.substr(middle + between.size(),
                                   text.size() - tail.size() - middle - between.size())
@@ -113,7 +120,7 @@ void join_coco(const std::vector<std::filesystem::path>& parts, const std::files
     bool first = true;
     for (const auto& part : parts) {
       const std::string text = read_file(part, "cannot read a shard's boxes", context);
-      std::string_view lines_of_part = section(text, annotations);
+      std::string_view lines_of_part = section(text, annotations, part);
       if (lines_of_part.empty()) continue;
       if (!first) file.append(",\n");
       first = false;

@@ -104,11 +104,19 @@ std::vector<std::pair<ShardPaths, std::uint64_t>> whole_shards(
     const DatasetPlan& plan, const std::filesystem::path& folder) {
   std::vector<std::pair<ShardPaths, std::uint64_t>> shards;
   for (std::uint64_t s = 0; s < plan.shape.shards(); ++s) {
-    const ShardPaths paths = shard_paths(folder, s);
-    const auto mark = read_mark(paths);
-    if (mark) shards.emplace_back(paths, mark->samples);
+    const auto mark = read_mark(plan.shape, folder, s);
+    if (mark) shards.emplace_back(shard_paths(folder, s), mark->samples);
   }
   return shards;
+}
+
+void add_sample(Sheet& sheet, const Files& files, const std::filesystem::path& archive) {
+  try {
+    sheet.add(files);
+  } catch (const std::exception&) {  // of pictures, of JSON, or that one is missing
+    throw Error(ErrorKind::input, "cannot show a sample", archive.string(),
+                "it is damaged; craze dataset verify says where");
+  }
 }
 
 }  // namespace
@@ -139,7 +147,7 @@ render::Image contact_sheet(const std::filesystem::path& folder, const SheetOpti
       if (kind != "json") continue;
       context.check();
       if (done < shown && at == done * there / shown) {
-        sheet.add(files);
+        add_sample(sheet, files, paths.tar);
         ++done;
       }
       files.clear();

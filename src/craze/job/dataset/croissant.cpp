@@ -44,7 +44,7 @@ std::string croissant_json(const DatasetPlan& plan, const std::filesystem::path&
   Json files = Json::array(), archives = Json::array();
   for (std::uint64_t s = 0; s < plan.shape.shards(); ++s) {
     const ShardPaths paths = shard_paths(folder, s);
-    const auto mark = read_mark(paths);
+    const auto mark = read_mark(plan.shape, folder, s);
     const std::string name = "shards/" + paths.tar.filename().string();
     files.push_back({{"@type", "cr:FileObject"},
                      {"@id", name},

@@ -17,6 +17,7 @@
 #include "craze/job/dataset/coco.h"
 #include "craze/job/dataset/croissant.h"
 #include "craze/job/dataset/shard_files.h"
+#include "craze/output/source_file.h"
 #include "craze/recipe/json_table.h"
 #include "craze/recipe/toml_text.h"
 
@@ -40,11 +41,17 @@ void write_summary(const DatasetPlan& plan, const fs::path& folder, const Contex
   write_file(folder / "dataset.json", dataset_json(plan, folder), failure, context);
 }
 
-/// Checks an archive against its marker and each sample against its own JSON.
+/// Checks an archive against its marker, each sample against its own JSON and the plan, and the
+/// files that lie beside the archives against what is in them.
 class ShardCheck {
  public:
-  ShardCheck(std::string name, std::vector<std::string>& faults)
-      : name_(std::move(name)), faults_(faults) {}
+  ShardCheck(const DatasetPlan& plan, const fs::path& folder, std::string name,
+             std::vector<std::string>& faults)
+      : plan_(plan),
+        folder_(folder),
+        plan_sha256_(sha256(plan.source.text)),
+        name_(std::move(name)),
+        faults_(faults) {}
 
   void run(const ShardPaths& paths, const ShardMark& mark) {
     if (sha256_of(paths.tar) != mark.tar_sha256) fault("its archive is not what its marker says");
@@ -82,11 +89,15 @@ class ShardCheck {
       if (id != sample_id(index)) return fault("it holds " + name + " out of place");
       if (kind != "json") {
         hashes[kind] = sha256(bytes);
+        check_beside(id, kind, hashes[kind]);
         continue;
       }
       const Json json = Json::parse(bytes);
       if (json.at("sha256").get<std::map<std::string, std::string>>() != hashes) {
         fault("the files of sample " + id + " are not what its JSON says");
+      }
+      if (json.at("plan_sha256") != plan_sha256_) {
+        fault("sample " + id + " is of another plan than plan.toml");
       }
       hashes.clear();
       ++index;
@@ -94,7 +105,19 @@ class ShardCheck {
     if (index != mark.first + mark.samples || !hashes.empty()) fault("samples are missing");
   }
 
-  std::string name_;
+  /// images/ and masks/, where the plan has them.
+  void check_beside(const std::string& id, const std::string& kind, const std::string& hash) {
+    const bool image = kind == "image.png";
+    if (!plan_.shape.folders || (!image && kind != "mask.png")) return;
+    const fs::path file = fs::path(image ? "images" : "masks") / (id + ".png");
+    if (sha256_of(folder_ / file) != hash) {
+      fault(file.string() + " is not what its archive has");
+    }
+  }
+
+  const DatasetPlan& plan_;
+  const fs::path& folder_;
+  std::string plan_sha256_, name_;
   std::vector<std::string>& faults_;
 };
 
@@ -108,6 +131,20 @@ std::size_t offset_of(const std::string& text, const toml::source_position& plac
     while (at < text.size() && continues());
   }
   return at;
+}
+
+/// Before hours of work: whether the meshes that samples may draw are there.
+void check_objects(const DatasetPlan& plan) {
+  for (const PlanEntry& entry : plan.plan.entries()) {
+    if (entry.key != "object.mesh") continue;
+    for (const PlanValue& value : extremes(entry.distribution)) {
+      const std::string name = plan_text(value);
+      std::error_code failed;
+      if (is_shape(name) || fs::exists(plan.source.folder / name, failed)) continue;
+      throw Error(ErrorKind::input, "no mesh " + (plan.source.folder / name).string(), entry.where,
+                  "give a file, a folder or shape:NAME");
+    }
+  }
 }
 
 }  // namespace
@@ -134,15 +171,16 @@ PlanSource with_samples(const PlanSource& source, std::uint64_t samples) {
 DatasetResult make_dataset(const PlanSource& source, const fs::path& folder, Shard shard,
                            const Context& context) {
   const DatasetPlan plan(source);
+  check_objects(plan);
   claim_plan_folder(folder, source, "dataset", context);
   DatasetResult result{plan.shape.samples, plan.shape.shards()};
   for (std::uint64_t s = 0; s < result.shards; ++s) {
-    if (!shard.has(s) || read_mark(shard_paths(folder, s))) continue;
+    if (!shard.has(s) || read_mark(plan.shape, folder, s)) continue;
     write_shard(plan, folder, s, context);
     ++result.shards_made;
   }
   for (std::uint64_t s = 0; s < result.shards; ++s) {
-    if (!read_mark(shard_paths(folder, s))) ++result.shards_left;
+    if (!read_mark(plan.shape, folder, s)) ++result.shards_left;
   }
   if (result.shards_left == 0) write_summary(plan, folder, context);
   return result;
@@ -155,12 +193,12 @@ std::vector<std::string> verify_dataset(const fs::path& folder, const Context& c
     context.check();
     context.report({"verify", static_cast<double>(s) / static_cast<double>(plan.shape.shards())});
     const ShardPaths paths = shard_paths(folder, s);
-    const auto mark = read_mark(paths);
+    const auto mark = read_mark(plan.shape, folder, s);
     const std::string name = paths.marker.stem().string();
     if (!mark) {
       faults.push_back("shard " + name + ": it is not there, or not whole");
     } else {
-      ShardCheck(name, faults).run(paths, *mark);
+      ShardCheck(plan, folder, name, faults).run(paths, *mark);
     }
   }
   std::error_code failed;
@@ -199,7 +237,7 @@ std::string dataset_json(const DatasetPlan& plan, const fs::path& folder) {
   SampleSums sums;
   std::uint64_t bytes = 0;
   for (std::uint64_t s = 0; s < plan.shape.shards(); ++s) {
-    const auto mark = read_mark(shard_paths(folder, s));
+    const auto mark = read_mark(plan.shape, folder, s);
     if (!mark) continue;
     sums += mark->sums;
     bytes += mark->bytes;

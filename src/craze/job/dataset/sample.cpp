@@ -183,7 +183,19 @@ double SampleSums::median_width() const {
 }
 
 DatasetPlan::DatasetPlan(const PlanSource& from)
-    : source(from), plan(from.text, from.name, dataset_schema()), shape(dataset_shape(plan)) {}
+    : source(from), plan(from.text, from.name, dataset_schema()), shape(dataset_shape(plan)) {
+  constexpr std::uint64_t most_shards = 1000000;  // their names have six digits
+  if (shape.shards() > most_shards) {
+    throw Error(ErrorKind::usage, "too many shards", from.name,
+                fmt::format("at most {}; give more shard_samples", most_shards));
+  }
+  for (const PlanEntry& entry : plan.entries()) {
+    if (entry.key.rfind("recipe.post.", 0) != 0) continue;
+    if (entry.key.find("roughness") != std::string::npos) continue;
+    throw Error(ErrorKind::usage, "no " + entry.key + " in a dataset", entry.where,
+                "cracks are strips of the surface, as wide as lines.width says");
+  }
+}
 
 std::string sample_id(std::uint64_t index) {
   return fmt::format("{:09}", index);

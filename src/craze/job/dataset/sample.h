@@ -44,7 +44,8 @@ struct Sample {
   std::vector<SampleInstance> instances;
 };
 
-/// The plan of a set, read once.
+/// The plan of a set, read once. Throws Error(usage) for more than a million shards, and for what
+/// [post] asks besides rough lines.
 struct DatasetPlan {
   explicit DatasetPlan(const PlanSource& from);
 

@@ -49,6 +49,16 @@ std::string pick_object(const std::string& name, const std::string& folder, Rand
   return files[random.below(files.size())];
 }
 
+/// What of [post] has a part in the lines of cracks, which are drawn as strips, not as gaps.
+PostParameters lines_alone(const PostParameters& post) {
+  PostParameters kept;
+  kept.roughness = post.roughness;
+  kept.relative_roughness = post.relative_roughness;
+  kept.roughness_exponent = post.roughness_exponent;
+  kept.roughness_step = post.roughness_step;
+  return kept;
+}
+
 render::PictureOptions picture_options(const PlanValues& values, const DatasetShape& shape,
                                        const render::Subject& subject, bool stands_on_z,
                                        std::uint64_t name) {
@@ -180,7 +190,7 @@ Scene make_scene(const Plan& plan, const PlanValues& values, const DatasetShape&
   Random random(name, 0x6f626a);
   const std::string object = pick_object(word_of(values, "object.mesh"), folder, random);
   Recipe recipe = recipe_of(plan, values, name >> 11);  // seeds have 53 bits
-  recipe.post = {};
+  recipe.post = lines_alone(recipe.post);
   Input input;
   input.name = object;
   input.surface = std::make_shared<const SurfaceMesh>(load_surface(object, context).mesh);

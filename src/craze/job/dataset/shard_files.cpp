@@ -97,7 +97,10 @@ ShardPaths shard_paths(const fs::path& folder, std::uint64_t shard) {
           base / fmt::format("{:06}.json", shard)};
 }
 
-std::optional<ShardMark> read_mark(const ShardPaths& paths) {
+std::optional<ShardMark> read_mark(const DatasetShape& shape, const fs::path& folder,
+                                   std::uint64_t shard) {
+  const ShardPaths paths = shard_paths(folder, shard);
+  const std::uint64_t first = shard * shape.shard_samples;
   std::error_code failed;
   if (!fs::is_regular_file(paths.marker, failed)) return std::nullopt;
   try {
@@ -108,6 +111,8 @@ std::optional<ShardMark> read_mark(const ShardPaths& paths) {
     mark.bytes = json.at("bytes");
     mark.tar_sha256 = json.at("tar_sha256");
     mark.coco_sha256 = json.at("coco_sha256");
+    if (mark.first != first) return std::nullopt;
+    if (mark.samples != std::min(shape.shard_samples, shape.samples - first)) return std::nullopt;
     mark.sums.samples = mark.samples;
     mark.sums.clean = json.at("clean");
     mark.sums.pixels = json.at("pixels");

@@ -26,8 +26,10 @@ struct ShardMark {
   SampleSums sums;
 };
 
-/// The marker, where there is one, it is sound, and the archive beside it has its size.
-std::optional<ShardMark> read_mark(const ShardPaths& paths);
+/// The marker, where there is one, it is sound and the plan's, and the archive beside it has its
+/// size.
+std::optional<ShardMark> read_mark(const DatasetShape& shape, const std::filesystem::path& folder,
+                                   std::uint64_t shard);
 
 /// Makes a shard, sample by sample: no more is in memory than one for each of the context's
 /// threads. The marker is written last. Each file is whole or not there. Throws Error and

@@ -51,6 +51,14 @@ void check_plan_value(const PlanKey& key, const PlanValue& value, const std::str
   }
 }
 
+void check_preset(const std::string& name, const std::string& where) {
+  try {
+    find_preset(name);
+  } catch (const Error& e) {
+    fail("wrong value for " + preset_key, where, e.what());
+  }
+}
+
 /// The numbers of integer keys are rounded, so that they may be drawn.
 std::string recipe_text(const Parameter* p, const PlanValue& value) {
   const auto* number = std::get_if<double>(&value);
@@ -216,7 +224,7 @@ Plan::Plan(std::string_view text, const std::string& name, const PlanSchema& sch
     Recipe scratch;
     for (const PlanValue& value : extremes(e.distribution)) {
       if (e.key == preset_key) {
-        find_preset(plan_text(value));
+        check_preset(plan_text(value), e.where);
       } else {
         set_recipe_key(scratch, e.key.substr(recipe_prefix.size()), value, e.where);
       }

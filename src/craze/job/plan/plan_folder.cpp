@@ -19,13 +19,17 @@ constexpr const char* plan_file = "plan.toml";
 constexpr const char* origin_file = "made_by.json";
 
 nlohmann::ordered_json origin_of(const fs::path& folder) {
-  try {
-    return nlohmann::ordered_json::parse(
-        read_file(folder / origin_file, "cannot read what made the folder"));
-  } catch (const nlohmann::json::exception&) {
+  const auto json = nlohmann::ordered_json::parse(
+      read_file(folder / origin_file, "cannot read what made the folder"), nullptr, false);
+  bool sound = json.is_object();
+  for (const char* text : {"kind", "version", "plan_folder"}) {
+    sound = sound && (!json.contains(text) || json[text].is_string());
+  }
+  if (!sound) {
     throw Error(ErrorKind::input, "cannot read what made the folder",
                 (folder / origin_file).string(), "it is damaged");
   }
+  return json;
 }
 
 }  // namespace
