@@ -8,7 +8,7 @@
 #include "app.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
-#include "craze/job/dataset/contact_sheet.h"
+#include "craze/job/dataset/shards/contact_sheet.h"
 #include "craze/job/output_folder.h"
 #include "craze/render/png.h"
 #include "run_options.h"

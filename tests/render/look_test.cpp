@@ -1,4 +1,4 @@
-#include "craze/render/look.h"
+#include "craze/render/material/look.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "craze/render/marks.h"
+#include "craze/render/material/marks.h"
 
 #include <gtest/gtest.h>
 

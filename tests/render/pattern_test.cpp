@@ -1,4 +1,4 @@
-#include "craze/render/pattern.h"
+#include "craze/render/material/pattern.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "craze/context.h"
 #include "craze/engine.h"
 #include "craze/products/opening/opened_surface.h"
-#include "craze/render/crack_lines.h"
+#include "craze/render/material/crack_lines.h"
 
 namespace craze {
 

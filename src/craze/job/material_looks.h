@@ -6,7 +6,7 @@
 
 #include "craze/context.h"
 #include "craze/read_mesh.h"
-#include "craze/render/look.h"
+#include "craze/render/material/look.h"
 
 namespace craze {
 

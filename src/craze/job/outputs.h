@@ -9,7 +9,7 @@
 #include "craze/job/run.h"
 #include "craze/output/source_file.h"
 #include "craze/products/statistics/statistics.h"
-#include "craze/render/look.h"
+#include "craze/render/material/look.h"
 
 namespace craze {
 

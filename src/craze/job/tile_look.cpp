@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "craze/engine/run_outcome.h"
-#include "craze/render/material.h"
+#include "craze/render/material/material.h"
 
 namespace craze {
 

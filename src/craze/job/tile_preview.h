@@ -4,7 +4,7 @@
 #include "craze/context.h"
 #include "craze/maps.h"
 #include "craze/render/image.h"
-#include "craze/render/material.h"
+#include "craze/render/material/material.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {

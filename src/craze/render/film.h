@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "craze/context.h"
-#include "craze/render/color.h"
 #include "craze/render/image.h"
+#include "craze/render/material/color.h"
 
 namespace craze::render {
 

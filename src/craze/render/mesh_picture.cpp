@@ -1,7 +1,7 @@
 #include "craze/render/mesh_picture.h"
 
 #include "craze/products/distance/crack_seams.h"
-#include "craze/render/crack_lines.h"
+#include "craze/render/material/crack_lines.h"
 #include "craze/repair.h"
 
 namespace craze {

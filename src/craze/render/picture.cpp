@@ -8,8 +8,8 @@
 #include "craze/error.h"
 #include "craze/mesh/smooth_normals.h"
 #include "craze/render/film.h"
+#include "craze/render/rays/tracer.h"
 #include "craze/render/studio.h"
-#include "craze/render/tracer.h"
 
 namespace craze::render {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "craze/render/camera.h"
-#include "craze/render/color.h"
+#include "craze/render/material/color.h"
 
 namespace craze::render {
 

@@ -1,4 +1,4 @@
-#include "craze/job/dataset/coco.h"
+#include "craze/job/dataset/shards/coco.h"
 
 #include <gtest/gtest.h>
 

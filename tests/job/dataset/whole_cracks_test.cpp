@@ -1,4 +1,4 @@
-#include "craze/job/dataset/whole_cracks.h"
+#include "craze/job/dataset/scene/whole_cracks.h"
 
 #include <gtest/gtest.h>
 

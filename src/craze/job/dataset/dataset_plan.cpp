@@ -1,6 +1,6 @@
 #include "craze/job/dataset/dataset_plan.h"
 
-#include "craze/render/material.h"
+#include "craze/render/material/material.h"
 
 namespace craze {
 

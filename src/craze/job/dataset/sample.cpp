@@ -10,11 +10,11 @@
 #include "craze/error.h"
 #include "craze/io/bytes/sha256.h"
 #include "craze/io/image/format_png.h"
-#include "craze/job/dataset/camera_faults.h"
-#include "craze/job/dataset/crack_maps.h"
-#include "craze/job/dataset/point_cloud.h"
+#include "craze/job/dataset/labels/crack_maps.h"
+#include "craze/job/dataset/labels/point_cloud.h"
+#include "craze/job/dataset/labels/surface_maps.h"
 #include "craze/job/dataset/sample_json.h"
-#include "craze/job/dataset/surface_maps.h"
+#include "craze/job/dataset/scene/camera_faults.h"
 
 namespace craze {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "craze/job/dataset/labels/surface_maps.h"
 #include "craze/job/dataset/sample.h"
-#include "craze/job/dataset/scene.h"
-#include "craze/job/dataset/surface_maps.h"
+#include "craze/job/dataset/scene/scene.h"
 
 namespace craze {
 

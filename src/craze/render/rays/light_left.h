@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "craze/render/material.h"
+#include "craze/render/material/material.h"
+#include "craze/render/material/surface.h"
 #include "craze/render/rays/ray_scene.h"
-#include "craze/render/surface.h"
 
 namespace craze::render {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "craze/render/color.h"
+#include "craze/render/material/color.h"
 #include "craze/surface_mesh.h"
 #include "craze/tensor.h"
 

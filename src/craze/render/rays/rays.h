@@ -1,8 +1,8 @@
 // Where rays go from a surface.
 #pragma once
 
+#include "craze/render/material/surface.h"
 #include "craze/render/rays/ray_scene.h"
-#include "craze/render/surface.h"
 
 namespace craze::render {
 
