@@ -58,6 +58,26 @@ TEST(CrackPictures, AreTheMaterialsOwnWhereThereIsNoCrack) {
   EXPECT_GT(whole, size * size / 2);
 }
 
+TEST(CrackPictures, AreStainedPalerInTheCracksThatCameLast) {
+  std::vector<MapCrack> cracks{crack_from(0, 0.3, 1, 0.3, 0.2, 0.2),
+                               crack_from(0, 0.7, 1, 0.7, 0.2, 0.2)};
+  cracks[0].time = 1;
+  cracks[1].time = 3;
+  const MapSurface surface = plate_with(5, std::move(cracks));
+  CrackStain black{Color{0, 0, 0, 1}};
+  const auto left = [&](double v) {  // of the white surface, in the middle of a crack
+    const int row = static_cast<int>((1 - v) * size);
+    const SurfacePictures made = cracked(surface, {}, black);
+    const auto at = 3 * static_cast<std::size_t>(row * size + size / 2);
+    return srgb_to_linear(static_cast<float>(bytes_of(made.base_color)[at]) / 255.0f);
+  };
+  EXPECT_NEAR(left(0.3), 0, 0.005);
+  EXPECT_NEAR(left(0.7), 0, 0.005);
+  black.late = 0.4;
+  EXPECT_NEAR(left(0.3), 0, 0.005);
+  EXPECT_NEAR(left(0.7), 0.6, 0.005);
+}
+
 TEST(CrackPictures, HaveTheStainByTheShareOfTheTexelThatIsOpen) {
   const MapSurface surface = plate_with(5, known_cracks());
   const std::vector<float> mask = map_of(surface, MapKind::mask);
