@@ -1,4 +1,4 @@
-#include "craze/job/dataset/distractors.h"
+#include "craze/job/dataset/marks/distractors.h"
 
 #include <gtest/gtest.h>
 

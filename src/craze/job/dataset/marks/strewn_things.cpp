@@ -1,4 +1,4 @@
-#include "craze/job/dataset/strewn_things.h"
+#include "craze/job/dataset/marks/strewn_things.h"
 
 #include <algorithm>
 #include <array>

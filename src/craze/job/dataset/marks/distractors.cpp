@@ -1,4 +1,4 @@
-#include "craze/job/dataset/distractors.h"
+#include "craze/job/dataset/marks/distractors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "craze/base/elementary.h"
 #include "craze/base/random.h"
-#include "craze/job/dataset/strewn_things.h"
+#include "craze/job/dataset/marks/strewn_things.h"
 
 namespace craze {
 
