@@ -1,4 +1,4 @@
-#include "craze/job/dataset/scene/distractors.h"
+#include "craze/job/dataset/marks/distractors.h"
 
 #include <gtest/gtest.h>
 

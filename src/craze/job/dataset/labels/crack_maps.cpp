@@ -41,7 +41,7 @@ class PixelCracks {
     maps.label[i] = is_noisy_ ? static_cast<float>(area(labelled)) : maps.coverage[i];
     if (maps.coverage[i] <= 0) return;
     const render::Hit hit = rays_.intersect(scene_.projection.ray(x + 0.5, y + 0.5));
-    NearestCrack nearest;
+    NearestStrip nearest;
     Vec3 normal;
     if (hit.face >= 0) nearest = strips_.nearest(hit.face, strips_.point_of(hit), false);
     if (nearest.line < 0) {
@@ -102,11 +102,11 @@ class PixelCracks {
     return sum / (2 * cells * cells);
   }
 
-  NearestCrack deepest(int x, int y, Vec3& normal) const {
-    NearestCrack best;
+  NearestStrip deepest(int x, int y, Vec3& normal) const {
+    NearestStrip best;
     each_corner(x, y, [&](int, const render::Hit& hit) {
       if (hit.face < 0) return;
-      const NearestCrack here = strips_.nearest(hit.face, strips_.point_of(hit), false);
+      const NearestStrip here = strips_.nearest(hit.face, strips_.point_of(hit), false);
       if (here.outside >= best.outside) return;
       best = here;
       normal = strips_.normal_of(hit.face);

@@ -20,8 +20,8 @@ Vec3 CrackStrips::normal_of(std::int32_t face) const {
       .stableNormalized();
 }
 
-NearestCrack CrackStrips::nearest(std::int32_t face, const Vec3& point, bool kept_only) const {
-  NearestCrack nearest;
+NearestStrip CrackStrips::nearest(std::int32_t face, const Vec3& point, bool kept_only) const {
+  NearestStrip nearest;
   const NearbyCracks& cracks = scene_.lines.cracks;
   const auto first = static_cast<std::int32_t>(cracks.first.empty() ? 0 : cracks.first[face]);
   const auto near = cracks.of(face);
@@ -60,7 +60,7 @@ double CrackStrips::half_width(std::int32_t line, double t) const {
   return scene_.options.line_width * ((1 - t) * w[0] + t * w[1]) / 2;
 }
 
-double CrackStrips::seen_width(const NearestCrack& at, const Vec3& normal) const {
+double CrackStrips::seen_width(const NearestStrip& at, const Vec3& normal) const {
   const NearbyCrack& line = scene_.lines.cracks.segments[at.line];
   const Vec3 along = (line.b - line.a).stableNormalized();
   const Vec3 middle = line.a + at.along * (line.b - line.a);

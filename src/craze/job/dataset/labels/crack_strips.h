@@ -16,7 +16,7 @@ struct LabelNoise {
 };
 
 /// The crack whose edge is nearest to a point.
-struct NearestCrack {
+struct NearestStrip {
   double outside = std::numeric_limits<double>::max();  ///< from its edge, length; below 0: inside
   std::int32_t line = -1;  ///< of the scene's lines; −1: none is near
   double along = 0;        ///< 0 … 1 on the line
@@ -31,15 +31,15 @@ class CrackStrips {
   /// Unit, of the face as it is wound.
   Vec3 normal_of(std::int32_t face) const;
   /// Of a point of that face; `kept_only` leaves out cracks that are dropped.
-  NearestCrack nearest(std::int32_t face, const Vec3& point, bool kept_only) const;
+  NearestStrip nearest(std::int32_t face, const Vec3& point, bool kept_only) const;
   /// From a point of that face to the nearest centre line, along the surface; at most `limit`.
   double distance(std::int32_t face, const Vec3& point, double limit) const;
   /// Of the crack, at the place nearest to a point.
-  double width(const NearestCrack& at) const { return 2 * half_width(at.line, at.along); }
+  double width(const NearestStrip& at) const { return 2 * half_width(at.line, at.along); }
   /// That width as the picture shows it, pixels; `normal` is the surface's there.
-  double seen_width(const NearestCrack& at, const Vec3& normal) const;
+  double seen_width(const NearestStrip& at, const Vec3& normal) const;
   /// Of the scene's cracks; −1: none.
-  std::int32_t crack(const NearestCrack& at) const {
+  std::int32_t crack(const NearestStrip& at) const {
     return at.line < 0 ? -1 : scene_.crack_of_line[at.line];
   }
 

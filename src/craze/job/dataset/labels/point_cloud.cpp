@@ -52,7 +52,7 @@ class PointMaker {
     const auto x = static_cast<std::size_t>(pixel.x()), y = static_cast<std::size_t>(pixel.y());
     const std::size_t i = 3 * (y * static_cast<std::size_t>(picture_.width) + x);
     for (std::size_t k = 0; k < 3; ++k) point.color[k] = picture_.rgb[i + k];
-    const NearestCrack at = strips_.nearest(hit.face, point.position, false);
+    const NearestStrip at = strips_.nearest(hit.face, point.position, false);
     point.crack = at.outside <= 0 ? strips_.crack(at) : -1;
     point.width = point.crack < 0 ? 0 : strips_.width(at);
     point.labelled = is_labelled(hit, point.position);
@@ -71,7 +71,7 @@ class PointMaker {
   }
 
   bool is_labelled(const render::Hit& hit, const Vec3& position) const {
-    const NearestCrack kept = strips_.nearest(hit.face, position, true);
+    const NearestStrip kept = strips_.nearest(hit.face, position, true);
     if (kept.line < 0) return false;
     const double pixel = scene_.projection.pixel_size(scene_.projection.depth(position));
     if (kept.outside > noise_.grow * pixel) return false;

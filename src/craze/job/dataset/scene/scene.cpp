@@ -11,7 +11,7 @@
 #include "craze/engine/cracked_surface.h"
 #include "craze/error.h"
 #include "craze/io/files/extension.h"
-#include "craze/job/dataset/scene/distractors.h"
+#include "craze/job/dataset/marks/distractors.h"
 #include "craze/job/dataset/scene/surface_look.h"
 #include "craze/job/load_surface.h"
 #include "craze/job/load_textures.h"

@@ -1,4 +1,8 @@
-#include "craze/job/dataset/scene/strewn_things.h"
+<<<<<<<< HEAD:src/craze/job/dataset/marks/strewn_things.cpp
+#include "craze/job/dataset/marks/strewn_things.h"
+========
+#include "craze/job/dataset/marks/strewn_things.h"
+>>>>>>>> h/data:src/craze/job/dataset/marks/strewn_things.cpp
 
 #include <algorithm>
 #include <array>

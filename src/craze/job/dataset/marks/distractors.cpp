@@ -1,4 +1,8 @@
-#include "craze/job/dataset/scene/distractors.h"
+<<<<<<<< HEAD:src/craze/job/dataset/marks/distractors.cpp
+#include "craze/job/dataset/marks/distractors.h"
+========
+#include "craze/job/dataset/marks/distractors.h"
+>>>>>>>> h/data:src/craze/job/dataset/marks/distractors.cpp
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +11,11 @@
 
 #include "craze/base/elementary.h"
 #include "craze/base/random.h"
-#include "craze/job/dataset/scene/strewn_things.h"
+<<<<<<<< HEAD:src/craze/job/dataset/marks/distractors.cpp
+#include "craze/job/dataset/marks/strewn_things.h"
+========
+#include "craze/job/dataset/marks/strewn_things.h"
+>>>>>>>> h/data:src/craze/job/dataset/marks/distractors.cpp
 
 namespace craze {
 
