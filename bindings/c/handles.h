@@ -73,6 +73,7 @@ struct craze_job {
   craze_opened opened = nullptr;
   void* opened_user = nullptr;
   std::optional<craze::Result> result;
+  std::optional<craze::Result> rougher;  // of the same run, its cracks as rough as last asked for
   std::shared_ptr<const craze::SourceFile> cracked_source;  // of what the result was made of
 };
 
@@ -80,6 +81,7 @@ struct craze_opening {
   std::shared_ptr<const craze::SourceFile> source;
   std::shared_ptr<const craze::Opening> opening;  // shared with the mesh made of it
   std::optional<craze::GrowthClip> clip;          // made when the first position is asked for
+  std::vector<std::string> warnings;              // of the opening, and of lines made for it
 };
 
 struct craze_maps {

@@ -166,6 +166,7 @@ craze_status craze_job_run(craze_job* job, craze_error* error) {
     if (job->opened) options.on_opened = [&](const OpenedPiece& piece) { pieces.add(piece); };
     const CallbackContext context(*job);
     job->result = crack({job->mesh, job->textures, "mesh"}, job->recipe, options, context.get());
+    job->rougher.reset();
     pieces.tell();
     job->cracked_source = job->source;
   });

@@ -83,11 +83,33 @@ LineSet line_set(const double* points, int64_t p, const int32_t* edges, int64_t 
   return lines;
 }
 
-craze_opening* new_opening(const craze_job* job, const PostParameters& post) {
-  const Result& result = result_of(job);
+craze_opening* new_opening(const craze_job* job, const Result& result, const PostParameters& post) {
   const CallbackContext context(*job);
-  return new craze_opening{
-      job->cracked_source, std::make_shared<const Opening>(result, post, context.get()), {}};
+  auto opening = std::make_shared<const Opening>(result, post, context.get());
+  std::vector<std::string> warnings = opening->warnings();
+  return new craze_opening{job->cracked_source, std::move(opening), {}, std::move(warnings)};
+}
+
+/// The run's own [post], but for what says how its cracks are open.
+PostParameters unopened_post(const Result& result) {
+  PostParameters post = result.report().recipe.post;
+  post.gap = 0;
+  post.gap_width = post.wall = post.thickness = 0;
+  post.curl = 0;
+  return post;
+}
+
+/// [post] as a text changes that of the run.
+PostParameters changed_post(const Result& result, const char* text) {
+  Recipe asked;
+  asked.post = asked_post(result);
+  Recipe changed = read_recipe(text, "post", asked);
+  const PostParameters post = changed.post;
+  changed.post = asked.post;
+  if (!(changed == asked)) {
+    throw Error(ErrorKind::usage, "wrong key", "post", "only those of [post] change an opening");
+  }
+  return post;
 }
 
 craze_mesh* new_mesh(const craze_opening& shown) {
@@ -106,6 +128,7 @@ craze_mesh* craze_job_cut_mesh(const craze_job* job, craze_error* error) {
     const craze_opening shut{
         job->cracked_source,
         std::make_shared<const Opening>(result_of(job), PostParameters{}, context.get()),
+        {},
         {}};
     return new_mesh(shut);
   });
@@ -177,11 +200,12 @@ char* craze_statistics(const double* points, int64_t p, const int32_t* edges, in
 craze_opening* craze_job_open(const craze_job* job, double gap, double wall, double curl,
                               craze_error* error) {
   return guarded(error, [&] {
-    PostParameters post;
+    const Result& result = result_of(job);
+    PostParameters post = unopened_post(result);
     post.gap = gap;
     post.wall = wall;
     post.curl = curl;
-    return new_opening(job, post);
+    return new_opening(job, result, post);
   });
 }
 
@@ -189,12 +213,32 @@ craze_opening* craze_job_open_solid(const craze_job* job, double gap, double cur
                                     int32_t core, craze_error* error) {
   return guarded(error, [&] {
     if (!(thickness > 0)) wrong_argument("wrong thickness", "thickness", "must be more than 0");
-    PostParameters post;
+    const Result& result = result_of(job);
+    PostParameters post = unopened_post(result);
     post.gap = gap;
     post.curl = curl;
     post.thickness = thickness;
     post.core = core != 0;
-    return new_opening(job, post);
+    return new_opening(job, result, post);
+  });
+}
+
+craze_opening* craze_job_open_post(craze_job* job, const char* text, craze_error* error) {
+  return guarded(error, [&] {
+    const Result& result = result_of(job);
+    require(text, "text");
+    const PostParameters post = changed_post(result, text);
+    Result made = with_post(result, post, CallbackContext(*job).get(),
+                            job->rougher ? &*job->rougher : nullptr);
+    if (&made.state() != &result.state()) job->rougher = made;
+    craze_opening* opening = new_opening(job, made, made.report().recipe.post);
+    const std::vector<std::string>& known = result.report().warnings;
+    for (const std::string& warning : made.report().warnings) {
+      if (std::find(known.begin(), known.end(), warning) == known.end()) {
+        opening->warnings.push_back(warning);
+      }
+    }
+    return opening;
   });
 }
 
@@ -210,7 +254,7 @@ craze_mesh* craze_opening_mesh(const craze_opening* opening, craze_error* error)
 }
 
 const char* craze_opening_warning(const craze_opening* opening, int64_t i) {
-  return opening ? text_at(opening->opening->warnings(), i) : nullptr;
+  return opening ? text_at(opening->warnings, i) : nullptr;
 }
 
 int64_t craze_opening_vertex_count(const craze_opening* opening) {

@@ -269,6 +269,11 @@ CRAZE_API craze_opening* craze_job_open(const craze_job* job, double gap, double
  * one more. */
 CRAZE_API craze_opening* craze_job_open_solid(const craze_job* job, double gap, double curl,
                                               double thickness, int32_t core, craze_error* error);
+/* The cut mesh opened as the recipe of the run says, and with the keys of its [post] in `text`,
+ * TOML or JSON as of craze_job_set_recipe: {"post": {"gap": 0.1, "roughness": 0.01}}. gap_width
+ * goes before gap, roughness before relative_roughness: a key that is to yield is set to 0. Nothing
+ * is cracked again. The lines of the roughness last asked for are kept with the job. */
+CRAZE_API craze_opening* craze_job_open_post(craze_job* job, const char* text, craze_error* error);
 CRAZE_API void craze_opening_free(craze_opening* opening);
 /* The opened mesh. Free with craze_mesh_free. */
 CRAZE_API craze_mesh* craze_opening_mesh(const craze_opening* opening, craze_error* error);

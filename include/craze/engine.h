@@ -49,6 +49,7 @@ class Result {
   const CrackedSurface& state() const { return *state_; }
   /// `output` counts the cut mesh, shut; `time.load` and `time.write` are for whoever has files.
   const Report& report() const { return report_; }
+  std::shared_ptr<const CrackedSurface> shared_state() const { return state_; }
 
  private:
   std::shared_ptr<const CrackedSurface> state_;
@@ -64,5 +65,16 @@ class Result {
 /// nothing is to be kept.
 Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
              const Context& context);
+
+/// The [post] that a run was asked for, its lengths in the mesh's own unit: gap_width and
+/// relative_roughness as they were, which a report has resolved.
+PostParameters asked_post(const Result& result);
+
+/// What crack() would have returned with this [post] in the recipe, byte for byte but for the
+/// times. Nothing is cracked again: where the cracks' roughness is another one their lines alone
+/// are made and cut anew, and else all is shared with `result`, or with `other`, which is of the
+/// same run. Throws Error as crack() does of a recipe, and Cancelled.
+Result with_post(const Result& result, const PostParameters& post, const Context& context,
+                 const Result* other = nullptr);
 
 }  // namespace craze

@@ -43,12 +43,14 @@ enum class ShutCracks {
 
 /// [post]: §5 of the paper, done to the finished mesh.
 struct PostParameters {
-  double gap = 0;        ///< γ of Eq. 9
-  Length gap_width = 0;  ///< mean opening, instead of gap; a run turns it into that
-  Length wall = 0;       ///< depth of the side walls
-  double curl = 0;       ///< lift at a crack, as a share of the displacement there
-  Length thickness = 0;  ///< each fragment is a closed solid; instead of wall
-  bool core = false;     ///< what is left inside a closed surface is a solid as well
+  double gap = 0;         ///< γ of Eq. 9
+  Length gap_width = 0;   ///< mean opening, instead of gap; a run turns it into that
+  Length wall = 0;        ///< depth of the side walls
+  double late_width = 1;  ///< of the last crack to open, over that which it has with 1
+  double curl = 0;        ///< lift at a crack, as a share of the displacement there
+  Length thickness = 0;   ///< each fragment is a closed solid; instead of wall
+  double wedge = 0;   ///< of solids: how much less open cracks are at the inner surface, a share
+  bool core = false;  ///< what is left inside a closed surface is a solid as well
   Collider collider = Collider::extras;  ///< of solids
   Length roughness = 0;             ///< of the cracks' lines, rms over the usual length of a crack
   double relative_roughness = 0;    ///< that over the usual length, where roughness is 0

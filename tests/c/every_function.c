@@ -289,6 +289,19 @@ static void check_solids(const craze_job* job) {
   craze_opening_free(opening);
 }
 
+static void cracks_are_made_rough_without_a_run(craze_job* job) {
+  craze_opening* own = craze_job_open_post(job, "", NULL);
+  craze_opening* rough = craze_job_open_post(job, "[post]\nroughness = 0.01\nwall = 0", NULL);
+  EXPECT(own != NULL && rough != NULL);
+  EXPECT(craze_opening_vertex_count(rough) > craze_opening_vertex_count(own));
+  EXPECT_ERROR(craze_job_open_post(job, "[post]\ngap = -1", e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_open_post(job, "[layer]\nspacing = 0.3", e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_open_post(job, NULL, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_open_post(NULL, "", e), CRAZE_USAGE);
+  craze_opening_free(own);
+  craze_opening_free(rough);
+}
+
 static void cracks_open_and_grow(craze_job* job) {
   craze_array vertices;
   double* positions;
@@ -311,6 +324,7 @@ static void cracks_open_and_grow(craze_job* job) {
   EXPECT_ERROR(craze_opening_mesh(NULL, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_job_open(job, NAN, 0, 0, e), CRAZE_REQUEST);
   check_solids(job);
+  cracks_are_made_rough_without_a_run(job);
   EXPECT(craze_opening_vertex_count(NULL) == 0);
   EXPECT(craze_opening_warning(opening, 1 << 20) == NULL);
   EXPECT(craze_opening_warning(NULL, 0) == NULL);

@@ -131,6 +131,20 @@ class Products(Case):
         self.assert_error("gap", "request", self.result.opened, gap=float("nan"))
         self.assert_error("wrong gap", "usage", self.result.opened, gap="wide")
 
+    def test_roughness_changes_without_cracking_again_to_the_bytes_of_a_run_that_had_it(self):
+        rough = {"post.roughness": 0.01, "post.gap": 0.1, "post.wall": 0.02}
+        fresh = cracked(**rough)
+        self.assert_same(self.result.opened(roughness=0.01), fresh.opened())
+        self.assert_same(fresh.opened(roughness=0), self.result.opened())
+        self.assert_same(self.result.opened(roughness=0.01, gap=0.2), fresh.opened(gap=0.2))
+        self.assertGreater(len(fresh.mesh.faces), len(self.result.mesh.faces))
+        pieces = len(np.unique(self.result.mesh.face_attributes["fragment"]))
+        self.assertEqual(len(self.result.opened(relative_roughness=0.05).fragments()), pieces)
+        held_back = self.result.warnings(roughness=1000)
+        self.assertTrue(any("post.roughness" in warning for warning in held_back))
+        self.assert_error("roughnes", "usage", self.result.opened, roughnes=0.01)
+        self.assert_error("roughness", "usage", self.result.opened, roughness=-1)
+
     def test_solid_fragments_have_the_mass_that_numpy_finds(self):
         solids = self.result.fragments(thickness=0.1)
         self.assertEqual(len(solids), len(self.result.fragments()))

@@ -103,12 +103,7 @@ _FUNCTIONS: dict[str, tuple[Any, list[Any], bool]] = {
         [c_void_p, c_int64, c_void_p, c_int64, c_void_p, c_double],
         True,
     ),
-    "craze_job_open": (c_void_p, [c_void_p, c_double, c_double, c_double], True),
-    "craze_job_open_solid": (
-        c_void_p,
-        [c_void_p, c_double, c_double, c_double, c_int32],
-        True,
-    ),
+    "craze_job_open_post": (c_void_p, [c_void_p, c_char_p], True),
     "craze_job_bake": (c_void_p, [c_void_p, c_int32, c_char_p, c_int32, c_double, c_double], True),
     "craze_maps_free": (None, [c_void_p], False),
     "craze_maps_name": (c_char_p, [c_void_p, c_int64], False),

@@ -19,7 +19,8 @@ def _plain(value: Any) -> Any:
     raise TypeError
 
 
-def _value_text(key: str, value: Any) -> bytes:
+def value_text(key: str, value: Any) -> bytes:
+    """A value as JSON; `key` is what messages call it."""
     try:
         return json.dumps(value, ensure_ascii=False, allow_nan=False, default=_plain).encode()
     except (TypeError, ValueError, RecursionError):
@@ -37,7 +38,7 @@ def _is_path(recipe: Any) -> bool:
 def set_recipe(job: Handle, recipe: Any) -> None:
     """The whole recipe."""
     if isinstance(recipe, Mapping):
-        text = _value_text("the recipe", dict(recipe))
+        text = value_text("the recipe", dict(recipe))
         call("craze_job_set_recipe", job.pointer, text, b"recipe")
     elif _is_path(recipe):
         name = path_bytes(recipe)
@@ -59,4 +60,4 @@ def set_recipe(job: Handle, recipe: Any) -> None:
 
 def set_key(job: Handle, key: str, value: Any) -> None:
     """One key, on top of what is set."""
-    call("craze_job_set", job.pointer, text_bytes(key, "key"), _value_text(key, value))
+    call("craze_job_set", job.pointer, text_bytes(key, "key"), value_text(key, value))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from typing import Any, Iterable, Mapping
 
@@ -14,7 +15,7 @@ from ._library import text_of, whole
 from ._lines import Lines
 from ._maps import arrays, green_up, name_list
 from ._mesh import Mesh
-from ._recipe import set_key, set_recipe
+from ._recipe import set_key, set_recipe, value_text
 from ._watch import ProgressCallback, run, watched
 
 
@@ -31,7 +32,7 @@ class Result:
         self._lines: Lines | None = None
         self._report: dict[str, Any] | None = None
         self._summary: dict[str, Any] = text_of(call("craze_job_summary", job.pointer))
-        self._opening: tuple[tuple[float, float, float, float, bool], Handle] | None = None
+        self._opening: tuple[bytes, Handle] | None = None
 
     def __repr__(self) -> str:
         cracks = self._summary["cracks"]
@@ -74,15 +75,17 @@ class Result:
         curl: float | None = None,
         thickness: float | None = None,
         core: bool | None = None,
+        **post: Any,
     ) -> Mesh:
         """The mesh with its cracks open; what is not given is the recipe's [post].
 
         gap : times the displacement ([IO06 Eq. 9]); wall : depth of side walls, length; curl :
         lift of the edges over their displacement; thickness : each fragment is a closed solid so
-        deep, instead of walls; 0: none; core : what is left inside a closed surface is one too.
+        deep, instead of walls; 0: none; core : what is left inside a closed surface is one too;
+        post : any other key of [post], such as roughness, relative_roughness or late_width.
         Raises Error.
         """
-        opening = self._open(gap, wall, curl, thickness, core)
+        opening = self._open(gap, wall, curl, thickness, core, post)
         return Mesh._of(Handle(call("craze_opening_mesh", opening.pointer), "craze_mesh_free"))
 
     def warnings(
@@ -92,9 +95,10 @@ class Result:
         curl: float | None = None,
         thickness: float | None = None,
         core: bool | None = None,
+        **post: Any,
     ) -> list[str]:
         """What could not be done as asked, in the run and in the opening, a sentence each."""
-        opening = self._open(gap, wall, curl, thickness, core)
+        opening = self._open(gap, wall, curl, thickness, core, post)
         return [*self._summary["warnings"], *listed("craze_opening_warning", opening.pointer)]
 
     def positions_at(
@@ -105,11 +109,12 @@ class Result:
         curl: float | None = None,
         thickness: float | None = None,
         core: bool | None = None,
+        **post: Any,
     ) -> npt.NDArray[np.float64]:
-        """(n, 3): the vertices of opened(gap, wall, curl, thickness, core) at a time of the growth,
-        from 0, no crack, to 1, all of them. Raises Error."""
+        """(n, 3): the vertices of opened() with the same arguments at a time of the growth, from 0,
+        no crack, to 1, all of them. Raises Error."""
         time = real(t, "time")
-        opening = self._open(gap, wall, curl, thickness, core)
+        opening = self._open(gap, wall, curl, thickness, core, post)
         positions = np.empty((call("craze_opening_vertex_count", opening.pointer), 3))
 
         def move(_: Any) -> None:
@@ -175,29 +180,31 @@ class Result:
         curl: float | None,
         thickness: float | None,
         core: bool | None,
+        others: Mapping[str, Any],
     ) -> Handle:
-        post = self._summary["recipe"]["post"]
-        key = (
-            real(post["gap"] if gap is None else gap, "gap"),
-            real(post["wall"] if wall is None else wall, "wall"),
-            real(post["curl"] if curl is None else curl, "curl"),
-            real(post["thickness"] if thickness is None else thickness, "thickness"),
-            bool(post["core"] if core is None else core),
-        )
+        post = dict(others)
+        for name, value in (("gap", gap), ("wall", wall), ("curl", curl), ("thickness", thickness)):
+            if value is None:
+                continue
+            post[name] = real(value, name)
+            if not math.isfinite(post[name]):
+                raise Error(f"wrong {name} ({shown(value)}): must be finite", "request")
+        if core is not None:
+            post["core"] = bool(core)
+        if "gap" in post:
+            post.setdefault("gap_width", 0)
+        elif "gap_width" in post:
+            post["gap"] = 0
+        if "roughness" in post:
+            post.setdefault("relative_roughness", 0)
+        elif "relative_roughness" in post:
+            post["roughness"] = 0
+        text = value_text("the opening", {"post": post})
         kept = self._opening
-        if kept is None or kept[0] != key:
-            kept = (key, self._opening_of(*key))
+        if kept is None or kept[0] != text:
+            kept = (text, self._product("craze_job_open_post", "craze_opening_free", text))
             self._opening = kept
         return kept[1]
-
-    def _opening_of(
-        self, gap: float, wall: float, curl: float, thickness: float, core: bool
-    ) -> Handle:
-        if thickness == 0:
-            return self._product("craze_job_open", "craze_opening_free", gap, wall, curl)
-        return self._product(
-            "craze_job_open_solid", "craze_opening_free", gap, curl, thickness, int(core)
-        )
 
 
 def _set_texture(job: Handle, name: str, picture: Any) -> None:

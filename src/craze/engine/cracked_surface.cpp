@@ -15,7 +15,7 @@ std::vector<Vec3> corner_weights(const CrackedSurface& state) {
   if (!state.asset) {
     for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
       const TrianglePoint at =
-          locate_in_triangle(state.surface, mesh.source_face(h / 3), mesh.position(mesh.from(h)));
+          locate_in_triangle(*state.surface, mesh.source_face(h / 3), mesh.position(mesh.from(h)));
       Vec3& w = weights.emplace_back(Vec3::Zero());
       for (int i = 0; i < 3; ++i) w[at.corners[i]] += at.weights[i];
     }
@@ -55,13 +55,13 @@ SurfaceMesh CrackedSurface::with_attributes(const SurfaceMesh& uncut) const {
 
 SurfaceOrigin CrackedSurface::origin() const {
   SurfaceOrigin origin;
-  if (surface_origin.face.empty()) return origin;
+  if (!surface_origin || surface_origin->face.empty()) return origin;
   origin.weights = corner_weights(*this);
   for (std::int32_t f = 0; f < mesh().face_count(); ++f) {
     const std::int32_t source = asset ? asset->cut.face_source[f] : mesh().source_face(f);
-    origin.face.push_back(surface_origin.face[source]);
+    origin.face.push_back(surface_origin->face[source]);
     const auto corner = [&](int i) -> Vec3 {
-      return surface_origin.weights[3 * static_cast<std::size_t>(source) + i];
+      return surface_origin->weights[3 * static_cast<std::size_t>(source) + i];
     };
     for (std::size_t c = 3 * static_cast<std::size_t>(f); c < 3 * static_cast<std::size_t>(f) + 3;
          ++c) {

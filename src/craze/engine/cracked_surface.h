@@ -5,26 +5,39 @@
 #include <vector>
 
 #include "craze/engine/asset/carry_onto_asset.h"
+#include "craze/engine/cycles.h"
 #include "craze/mesh/components.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/simulation.h"
-#include "craze/recipe.h"
+#include "craze/recipe/own_lengths.h"
+#include "craze/report.h"
 #include "craze/surface_mesh.h"
 #include "craze/surface_origin.h"
 
 namespace craze {
 
+/// What a run has grown, before its cracks are put into a surface (settle.h): the same whatever
+/// [post] says.
+struct GrownRun {
+  Report report;        ///< as far as it goes by then; its recipe's [post] as it was asked for
+  Yardstick yardstick;  ///< of the lengths of [post]
+  LastCycle last;       ///< without its simulation
+  /// As in SimulationSurface; empty: the simulation's mesh is the surface.
+  std::vector<std::int32_t> asset_face;
+};
+
 /// Products speak of one mesh: that of the simulation, or the asset that its cracks were carried
 /// onto.
 struct CrackedSurface {
-  Recipe recipe;        ///< as it was run: lengths resolved
-  SurfaceMesh surface;  ///< what mesh() was cut out of: the simulation's mesh, or the asset
-  /// Per face of `surface`, where in the input it lies; empty where it was remeshed.
-  SurfaceOrigin surface_origin;
+  /// What mesh() was cut out of: the simulation's mesh, or the asset.
+  std::shared_ptr<const SurfaceMesh> surface;
+  /// Per face of `surface`, where in the input it lies; null where it was remeshed.
+  std::shared_ptr<const SurfaceOrigin> surface_origin;
   std::shared_ptr<const Simulation> simulation;  ///< stopped: its cut mesh, its stress, its times
-  std::shared_ptr<const CrackedAsset> asset;     ///< null: mesh() is the simulation's
-  CrackNetwork network;                          ///< the cracks of mesh()
-  Components fragments;                          ///< the parts of mesh()
+  std::shared_ptr<const GrownRun> run;
+  std::shared_ptr<const CrackedAsset> asset;  ///< null: mesh() is the simulation's
+  CrackNetwork network;                       ///< the cracks of mesh()
+  Components fragments;                       ///< the parts of mesh()
 
   const TriangleMesh& mesh() const { return asset ? asset->mesh : simulation->mesh(); }
   /// #V of mesh(): the accumulated virtual displacement at the load that was reached, length.

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "craze/engine/roughness/crack_chains.h"
 #include "craze/engine/spacing_rounds.h"
+#include "craze/engine/width_by_age.h"
 
 namespace craze {
 
@@ -16,10 +19,11 @@ constexpr double told_from = 0.1;  // of the length of the cracks: what is seen
 void resolve_gap(PostParameters& post, const CrackNetwork& network) {
   if (!(post.gap_width > 0)) return;
   double length = 0, opening = 0;  // of Eq. 9 with γ = 1, times the length
+  const WidthByAge by_age = width_by_age(post.late_width, network.edges);
   for (const CrackEdge& e : network.edges) {
     const double of_edge = network.length(e);
     length += of_edge;
-    opening += of_edge * e.width;
+    opening += of_edge * e.width * by_age.factor(e.time);
   }
   if (opening > 0) post.gap = post.gap_width * (length / opening);
   post.gap_width = 0;
@@ -30,14 +34,12 @@ void resolve_roughness(PostParameters& post, const CrackNetwork& network) {
   post.roughness = post.relative_roughness * usual_length(crack_chains(network));
 }
 
-RoughnessOptions roughness_options(const Recipe& recipe, const SimulationSurface& surface) {
+RoughnessOptions roughness_options(const Recipe& recipe, const Simulation& simulation) {
   const PostParameters& post = recipe.post;
   RoughnessOptions options{post.roughness, post.roughness_exponent, post.roughness_step,
-                           recipe.simulation.seed, surface.forbidden};
-  const std::vector<double>& mask = surface.mask;
-  if (!mask.empty()) options.closed.resize(mask.size(), 0);
-  for (std::size_t f = 0; f < mask.size(); ++f) {
-    if (mask[f] == 0) options.closed[f] = 1;
+                           recipe.simulation.seed};
+  for (const double scale : simulation.toughness_scale()) {
+    options.closed.push_back(std::isinf(scale) ? 1 : 0);
   }
   return options;
 }

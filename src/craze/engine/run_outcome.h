@@ -3,7 +3,6 @@
 
 #include "craze/engine/cycles.h"
 #include "craze/engine/roughness/rough_network.h"
-#include "craze/engine/simulation_surface.h"
 #include "craze/model/crack_network.h"
 #include "craze/report.h"
 
@@ -15,8 +14,8 @@ void resolve_gap(PostParameters& post, const CrackNetwork& network);
 /// post.roughness where post.relative_roughness says it, of the cracks as they grew.
 void resolve_roughness(PostParameters& post, const CrackNetwork& network);
 
-/// What [post] says of roughness; of a resolved recipe and the surface that it ran on.
-RoughnessOptions roughness_options(const Recipe& recipe, const SimulationSurface& surface);
+/// What [post] says of roughness, of a resolved recipe; what never fails is closed to rough lines.
+RoughnessOptions roughness_options(const Recipe& recipe, const Simulation& simulation);
 
 /// Adds to the report where the cracks' lines could not be as rough or as fine as asked.
 void warn_of_roughness(Report& report, const Recipe& recipe, const RoughNetwork& rough);

@@ -114,6 +114,12 @@ double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>
   return sum / (3 * static_cast<double>(triangles.size()));
 }
 
+std::vector<Vec3> smooth_asset(const SurfaceMesh& asset, const Recipe& recipe) {
+  const RemeshOptions options = remesh_options(asset, {}, recipe);
+  if (!(options.max_distance > 0)) return {};
+  return without_bumps(asset, options.target_edge);
+}
+
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
                                      const Context& context, const Period& period) {
   const RemeshOptions options = remesh_options(repaired, period, recipe);

@@ -43,4 +43,7 @@ double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
                                      const Context& context, const Period& period = {});
 
+/// SimulationSurface::smooth of an asset that it was made from by the same recipe.
+std::vector<Vec3> smooth_asset(const SurfaceMesh& asset, const Recipe& recipe);
+
 }  // namespace craze

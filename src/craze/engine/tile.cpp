@@ -65,11 +65,11 @@ SurfaceMesh coarse_square(const Recipe& recipe, double screening_length, double 
 }
 
 /// Makes the cracks' lines rough, where the recipe asks for that.
-void roughen_tile(CrackedTile& tile, const SimulationSurface& surface, const Context& context) {
+void roughen_tile(CrackedTile& tile, const Context& context) {
   resolve_roughness(tile.recipe.post, tile.network);
   if (!(tile.recipe.post.roughness > 0)) return;
   const RoughNetwork rough = roughen(tile.network, tile.simulation->mesh(),
-                                     roughness_options(tile.recipe, surface), context);
+                                     roughness_options(tile.recipe, *tile.simulation), context);
   warn_of_roughness(tile.report, tile.recipe, rough);
   tile.rough =
       std::make_unique<const CrackedAsset>(carry_onto_plane(tile.surface, rough.network, context));
@@ -111,7 +111,7 @@ CrackedTile crack_tile(const Recipe& recipe, const TileSize& size, const Context
   tile.surface = std::move(run.surface.mesh);
   tile.simulation = std::move(run.last.simulation);
   tile.network = crack_network(*tile.simulation);
-  roughen_tile(tile, run.surface, context);
+  roughen_tile(tile, context);
   tile.fragments = find_components(tile.mesh());
   resolve_gap(tile.recipe.post, tile.network);
 

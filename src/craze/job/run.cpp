@@ -95,7 +95,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   phase.lap();
 
   const Context writing = for_writing(context, report, stopped);
-  if (maps && result.state().surface.corner_uvs.empty()) {
+  if (maps && result.state().surface->corner_uvs.empty()) {
     std::string told;
     result = with_made_uvs(result, told, writing);
     report.warnings.push_back(told +

@@ -39,6 +39,7 @@ TileMaterial tile_material(const Recipe& recipe) {
   tile.mottle = m.mottle;
   tile.pieces = m.pieces;
   tile.stain = m.stain;
+  tile.late = recipe.post.late_width;
   tile.roughness = rough + m.coat * (coated - rough);
   return tile;
 }

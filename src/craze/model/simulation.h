@@ -68,6 +68,8 @@ class Simulation {
   const StressField& field() const { return sheet_.field(); }
   /// ς of a node without the residual of Eq. 8, at load 1; force.
   Sym3 separation(std::int32_t v) const;
+  /// Per face that the simulation started with: the factor on its toughness, ∞ where no crack runs.
+  const std::vector<double>& toughness_scale() const { return fields_.toughness_scale; }
   /// Eq. 8's residual of a node, force; zero but at tips that are about to run on by it.
   Sym3 residual(std::int32_t v) const { return watch_.residual(v); }
   /// The load factor s from where all places start (quasistatic), 1 before a load was sought; 1

@@ -61,7 +61,7 @@ SurfaceOrigin unmoved(const SurfaceMesh& mesh) {
 void write_surface(const std::string& path, const SurfaceMesh& mesh, const OpenedSurface& shown,
                    const Result& result, const SourceFile& source,
                    const SurfaceFileOptions& options, const Context& context) {
-  tell_lost(path, result.state().surface, source, options);
+  tell_lost(path, *result.state().surface, source, options);
   const Recipe& recipe = result.report().recipe;
   std::vector<MaterialLook> looks;
   MeshFileOptions file = options_of(path, source, options, looks);

@@ -13,11 +13,11 @@ namespace {
 class CrackUvs {
  public:
   explicit CrackUvs(const CrackedSurface& state)
-      : state_(state), mesh_(state.mesh()), island_(uv_islands(state.surface)) {
+      : state_(state), mesh_(state.mesh()), island_(uv_islands(*state.surface)) {
     SurfaceMesh uvs_alone;
-    uvs_alone.positions = state.surface.positions;
-    uvs_alone.triangles = state.surface.triangles;
-    uvs_alone.corner_uvs = state.surface.corner_uvs;
+    uvs_alone.positions = state.surface->positions;
+    uvs_alone.triangles = state.surface->triangles;
+    uvs_alone.corner_uvs = state.surface->corner_uvs;
     uvs_ = state.with_attributes(uvs_alone).corner_uvs;
   }
 
@@ -80,7 +80,7 @@ LineSet crack_lines(const Result& result, const Context& context) {
   }
   lines.point_attributes = {std::move(junction), std::move(normal)};
   lines.edge_attributes = {std::move(time), std::move(width), std::move(event)};
-  if (!state.surface.corner_uvs.empty()) add_uvs(lines, state);
+  if (!state.surface->corner_uvs.empty()) add_uvs(lines, state);
   return lines;
 }
 

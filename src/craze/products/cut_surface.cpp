@@ -62,7 +62,7 @@ void add_nearest_crack(SurfaceMesh& surface, const CrackedSurface& state,
 }  // namespace
 
 SurfaceMesh plain_cut_surface(const Result& result) {
-  return result.state().with_attributes(result.state().surface);
+  return result.state().with_attributes(*result.state().surface);
 }
 
 SurfaceMesh cut_surface(const Result& result, const GrowthTimes& times, const Context& context) {

@@ -36,7 +36,7 @@ void put(double* out, const Vec3& a) {
 
 SurfaceMesh field_mesh(const Result& result, const Context& context) {
   const Simulation& simulation = *result.state().simulation;
-  const double curvature_radius = result.state().recipe.simulation.stress.curvature_radius;
+  const double curvature_radius = result.report().recipe.simulation.stress.curvature_radius;
   const TriangleMesh& mesh = simulation.mesh();
   const StressField& field = simulation.field();
   const double load = simulation.load_on_field();

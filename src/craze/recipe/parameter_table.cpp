@@ -311,6 +311,11 @@ std::vector<Parameter> make_table() {
            {.help = "depth of the side walls of open cracks; 0: none",
             .unit = "length",
             .source = "[IO06 §5]"})
+      .add("late_width", &PostParameters::late_width, share,
+           {.help =
+                "width of the last crack to open, over that with 1; the first keeps its own, the "
+                "others lie between by the time they have been open; so do stains of maps and "
+                "textures. 1: age makes no difference. gap_width stays the mean"})
       .add("curl", &PostParameters::curl, any,
            {.help = "lift of the crack edges, as a share of their displacement; below 0: down",
             .source = "[IO06 §5, Fig. 9]"})
@@ -319,6 +324,10 @@ std::vector<Parameter> make_table() {
                     "surface so far inwards, less where there is no room; 0: none. Walls go all "
                     "the way, whatever wall is",
             .unit = "length"})
+      .add(
+          "wedge", &PostParameters::wedge, share,
+          {.help = "with thickness: how much less open cracks are at the inner surface than at the "
+                   "outer one, as a share: 0: walls straight down, 1: pieces meet there"})
       .add("core", &PostParameters::core, any,
            {.help = "with thickness: what is left inside a closed surface is one more solid, which "
                     "stays when the pieces fall"})

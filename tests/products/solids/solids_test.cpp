@@ -84,6 +84,36 @@ TEST(Solids, OfTheSimulationsMeshAreJustAsSound) {
   }
 }
 
+TEST(Solids, WithWedgesMeetAtTheirInnerSurfacesAndNowhereElse) {
+  for (const char* shape : {"plate?n=20&jitter=0.3", "cup", "sphere?n=14"}) {
+    SCOPED_TRACE(shape);
+    const Result result = test::cracked_shape(shape, "mud", 0.2);
+    PostParameters post = solid(0.04, 0.05);
+    const SurfaceMesh straight = Opening(result, post, {}).mesh(),
+                      shut = Opening(result, solid(0.04), {}).mesh();
+    for (const double wedge : {0.5, 1.0}) {
+      post.wedge = wedge;
+      const Opening opening(result, post, {});
+      const std::vector<SurfaceMesh> solids = fragments(opening.mesh());
+      expect_sound(solids);
+      EXPECT_FALSE(says_it_crosses(opening));
+      EXPECT_EQ(pairs_between(opening.mesh()), 0U);
+      EXPECT_LE(test::most_often_inside(solids, 100), 1);
+      if (std::string(shape).rfind("plate", 0) != 0) continue;
+      // The inner surface of a plate is opened by the rest of the gap alone.
+      const std::vector<Vec3>& p = opening.mesh().positions;
+      ASSERT_EQ(p.size(), straight.positions.size());
+      ASSERT_EQ(p.size(), shut.positions.size());
+      for (std::size_t v = 0; v < p.size(); ++v) {
+        const double share = p[v].z() < -0.02 ? wedge : 0;
+        const Vec3 wanted =
+            straight.positions[v] + share * (shut.positions[v] - straight.positions[v]);
+        EXPECT_LT((p[v] - wanted).norm(), 1e-9);
+      }
+    }
+  }
+}
+
 double total_volume(const std::vector<SurfaceMesh>& solids) {
   double total = 0;
   for (const SurfaceMesh& s : solids) total += test::volume_of(s);

@@ -21,7 +21,9 @@ std::string make_uvs(SurfaceMesh& surface, const std::string& reason, const Cont
 
 Result with_made_uvs(const Result& result, std::string& told, const Context& context) {
   auto state = std::make_shared<CrackedSurface>(result.state());
-  told = make_uvs(state->surface, "has no UVs", context);
+  SurfaceMesh surface = *state->surface;
+  told = make_uvs(surface, "has no UVs", context);
+  state->surface = std::make_shared<const SurfaceMesh>(std::move(surface));
   return {std::move(state), result.report()};
 }
 

@@ -89,7 +89,7 @@ std::vector<Vec3> flat_normals(const SurfaceMesh& surface) {
 /// The surface that the cracks were cut into, with UVs that maps can be baked in.
 SurfaceMesh surface_to_map(const Result& result, const SourceScene* scene, const Warn& warn,
                            const Context& context) {
-  SurfaceMesh surface = result.state().surface;
+  SurfaceMesh surface = *result.state().surface;
   if (is_document(scene)) {
     if (surface.corner_normals.empty()) surface.corner_normals = flat_normals(surface);
     return surface;
@@ -168,7 +168,9 @@ MeshCounts write_mapped(const Result& result, const std::shared_ptr<const Source
                         const MappedOutput& output, const Warn& warn, const Context& context) {
   const SurfaceMesh surface = surface_to_map(result, scene.get(), warn, context);
   const MappedScene mapped = mapped_scene(surface, scene, warn, context);
-  MaterialMaps maps(mapped, output.stain, warn, context);
+  CrackStain stain = output.stain;
+  stain.late = output.post.late_width;
+  MaterialMaps maps(mapped, stain, warn, context);
   MapOptions options;
   options.size = std::clamp(maps.largest_picture(), output.size, MapOptions::largest_size);
   options.maps = CrackPictures::maps();

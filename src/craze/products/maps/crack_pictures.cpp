@@ -38,12 +38,16 @@ Vec2 tilt(double x, double y, double z) {
 }  // namespace
 
 const std::vector<MapKind>& CrackPictures::maps() {
-  static const std::vector<MapKind> kinds{MapKind::mask, MapKind::normal, MapKind::occlusion};
+  static const std::vector<MapKind> kinds{MapKind::mask, MapKind::normal, MapKind::occlusion,
+                                          MapKind::time};
   return kinds;
 }
 
 void CrackPictures::begin(const std::vector<MapHeader>& headers) {
   size_ = headers[0].size;
+  tone_ = WidthByAge(stain_.late);
+  tone_.add(headers[3].low[0]);
+  tone_.add(headers[3].high[0]);
   const int channels = own_.base_color.image.channels;
   cracked_.base_color.image = empty_picture(size_, channels == 2 || channels == 4 ? 4 : 3);
   cracked_.normal.image = empty_picture(size_, 3);
@@ -56,12 +60,13 @@ void CrackPictures::rows(int first, int count, const std::vector<const float*>& 
                  for (std::size_t r = begin; r < end; ++r) {
                    const std::size_t at = r * static_cast<std::size_t>(size_);
                    compose(first + static_cast<int>(r), maps[0] + at, maps[1] + 3 * at,
-                           maps[2] + at);
+                           maps[2] + at, maps[3] + at);
                  }
                });
 }
 
-void CrackPictures::compose(int y, const float* mask, const float* normal, const float* light) {
+void CrackPictures::compose(int y, const float* mask, const float* normal, const float* light,
+                            const float* time) {
   const PictureSampler base(own_.base_color), bumps(own_.normal), shade(own_.occlusion),
       rough(own_.roughness);
   const int channels = cracked_.base_color.image.channels;
@@ -85,7 +90,7 @@ void CrackPictures::compose(int y, const float* mask, const float* normal, const
       const double stained = !stain_.color ? CrackStain::darkened * own
                              : factor > 0  ? (*stain_.color)[k] / factor
                                            : 0;
-      const double mixed = own + share * (std::min(stained, 1.0) - own);
+      const double mixed = own + tone_.factor(time[x]) * share * (std::min(stained, 1.0) - own);
       base_out[channels * x + c] = eighth(linear_to_srgb(static_cast<float>(mixed)));
     }
     if (channels == 4) base_out[4 * x + 3] = eighth(color[3]);

@@ -6,6 +6,7 @@
 
 #include "craze/base/surface_pictures.h"
 #include "craze/context.h"
+#include "craze/engine/width_by_age.h"
 #include "craze/maps.h"
 
 namespace craze {
@@ -17,6 +18,8 @@ struct CrackStain {
   /// What is left of the light in a crack that is darkened: that of side walls, which are a quarter
   /// as bright.
   static constexpr double darkened = 0.25;
+  /// Of the stain of the first crack, what is left at the last (post.late_width).
+  double late = 1;
 };
 
 /// Composes one material's pictures with the maps of its cracks as they are baked: in a crack the
@@ -44,13 +47,15 @@ class CrackPictures : public MapSink {
   SurfacePictures take() { return std::move(cracked_); }
 
  private:
-  void compose(int y, const float* mask, const float* normal, const float* light);
+  void compose(int y, const float* mask, const float* normal, const float* light,
+               const float* time);
 
   const SurfacePictures& own_;
   Color base_factor_;
   const CrackStain& stain_;
   const Context& context_;
   int size_ = 0;
+  WidthByAge tone_{1};
   SurfacePictures cracked_;
 };
 

@@ -177,7 +177,8 @@ MapSurface map_surface(const SurfaceMesh& cracked, const Context& context) {
     if (face < 0) continue;
     // A vertex has the time of the first crack that came by.
     const double opened = time ? std::max(time->values[a], time->values[b]) : 0;
-    maps.cracks.push_back({mesh.position(a), mesh.position(b), openings.of(seam), opened, 0, face});
+    maps.cracks.push_back(
+        {mesh.position(a), mesh.position(b), openings.of(seam), opened, 0, face, {opened, opened}});
   }
   number_lines(maps.cracks);
   return maps;

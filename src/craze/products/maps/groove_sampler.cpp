@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "craze/engine/width_by_age.h"
 #include "craze/mesh/bounding_diagonal.h"
 #include "craze/products/maps/groove.h"
 
@@ -31,12 +32,12 @@ GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post) {
       maps.diagonal > 0 ? maps.diagonal : bounding_diagonal(maps.surface.positions);
   const double line = hairline * diagonal / 2;
   const bool known = post.gap > 0 && maps.has_widths;
+  const WidthByAge by_age = width_by_age(post.late_width, maps.cracks);
   for (const MapCrack& crack : maps.cracks) {
-    if (known) {
-      sizes.half_width.push_back({post.gap * crack.width[0] / 2, post.gap * crack.width[1] / 2});
-    } else {
-      sizes.half_width.push_back({line, line});
-    }
+    std::array<double, 2> half{line, line};
+    if (known) half = {post.gap * crack.width[0] / 2, post.gap * crack.width[1] / 2};
+    for (std::size_t end = 0; end < 2; ++end) half[end] *= by_age.factor(crack.times[end]);
+    sizes.half_width.push_back(half);
   }
   return sizes;
 }

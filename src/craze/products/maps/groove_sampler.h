@@ -17,7 +17,7 @@ inline constexpr double hairline = 0.0021;
 /// Width and depth of every crack's groove.
 struct GrooveSizes {
   /// Per crack: half the width at its a and b, length: post.gap times the opening, or where there
-  /// is no gap, or no opening is known, that of a hairline.
+  /// is no gap, or no opening is known, that of a hairline; by post.late_width less of it.
   std::vector<std::array<double, 2>> half_width;
   double wall = 0;  ///< depth; 0: as deep as the groove is wide at each place
 

@@ -7,11 +7,14 @@ namespace {
 /// Cosine of the largest bend at which a crack goes on through a junction.
 constexpr double straight_on = -0.866;
 
-/// The network's edges keep one width each. At a node an edge takes the mean of its own and that of
-/// the edge that goes on straightest; a tip is shut.
-class WidthsAtNodes {
+/// What edges have at their nodes, of which the network keeps one number each.
+class EdgeEnds {
  public:
-  explicit WidthsAtNodes(const CrackNetwork& network) : network_(network) {
+  struct End {
+    double width, time;
+  };
+
+  explicit EdgeEnds(const CrackNetwork& network) : network_(network) {
     at_.resize(network.nodes.size());
     for (std::size_t e = 0; e < network.edges.size(); ++e) {
       at_[network.edges[e].a].push_back(static_cast<std::int32_t>(e));
@@ -19,18 +22,20 @@ class WidthsAtNodes {
     }
   }
 
-  double operator()(std::int32_t edge, std::int32_t node) const {
-    const double own = network_.edges[edge].width;
-    if (network_.nodes[node].kind == JunctionKind::end) return 0;
+  End at(std::int32_t edge, std::int32_t node) const {
+    const CrackEdge& own = network_.edges[edge];
+    if (network_.nodes[node].kind == JunctionKind::end) return {0, own.time};
     const Vec3 away = direction(edge, node);
-    double best = straight_on, width = own;
+    double best = straight_on;
+    End end{own.width, own.time};
     for (const std::int32_t other : at_[node]) {
       const double cosine = direction(other, node).dot(away);
       if (other == edge || cosine >= best) continue;
       best = cosine;
-      width = (own + network_.edges[other].width) / 2;
+      const CrackEdge& onward = network_.edges[other];
+      end = {(own.width + onward.width) / 2, (own.time + onward.time) / 2};
     }
-    return width;
+    return end;
   }
 
  private:
@@ -48,16 +53,18 @@ class WidthsAtNodes {
 
 std::vector<MapCrack> map_cracks(const CrackNetwork& network) {
   std::vector<MapCrack> cracks;
-  const WidthsAtNodes width(network);
+  const EdgeEnds ends(network);
   for (std::size_t i = 0; i < network.edges.size(); ++i) {
     const CrackEdge& e = network.edges[i];
     const auto edge = static_cast<std::int32_t>(i);
+    const EdgeEnds::End a = ends.at(edge, e.a), b = ends.at(edge, e.b);
     cracks.push_back({network.nodes[e.a].position,
                       network.nodes[e.b].position,
-                      {width(edge, e.a), width(edge, e.b)},
+                      {a.width, b.width},
                       e.time,
                       e.event,
-                      e.face});
+                      e.face,
+                      {a.time, b.time}});
   }
   return cracks;
 }

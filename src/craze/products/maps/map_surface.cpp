@@ -7,7 +7,7 @@
 namespace craze {
 
 MapSurface map_surface(const Result& result) {
-  return map_surface(result, result.state().surface);
+  return map_surface(result, *result.state().surface);
 }
 
 MapSurface map_surface(const Result& result, const SurfaceMesh& uncut) {

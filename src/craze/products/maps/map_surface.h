@@ -18,6 +18,7 @@ struct MapCrack {
   double time = 0;                ///< load at which it opened
   std::int32_t number = 0;        ///< of the crack, from 0
   std::int32_t face = -1;         ///< of the surface; one that holds it
+  std::array<double, 2> times{};  ///< at a and b, without a step along the crack
 };
 
 /// A part of a face that no crack crosses.

@@ -53,6 +53,7 @@ std::vector<MapKind> MaterialMaps::baked(const std::vector<MapKind>& asked) {
   if (contains(asked, MapKind::base_color)) {
     add(MapKind::distance);
     add(MapKind::fragment);
+    add(MapKind::time);
   }
   return kinds;
 }
@@ -64,6 +65,12 @@ std::size_t MaterialMaps::place_of(MapKind kind) const {
 
 void MaterialMaps::begin(const std::vector<MapHeader>& headers) {
   size_ = headers[0].size;
+  if (contains(asked_, MapKind::base_color)) {
+    const MapHeader& time = headers[place_of(MapKind::time)];
+    tone_ = WidthByAge(material_.late);
+    tone_.add(time.low[0]);
+    tone_.add(time.high[0]);
+  }
   std::vector<MapHeader> own;
   for (const MapKind kind : asked_) {
     if (is_of_material(kind)) {
@@ -103,10 +110,11 @@ void MaterialMaps::rows(int first, int count, const std::vector<const float*>& m
 
 void MaterialMaps::compose(int y, std::size_t at, const std::vector<const float*>& maps) {
   const float* mask = maps[place_of(MapKind::mask)] + at;
-  const float *distance = nullptr, *fragment = nullptr;
+  const float *distance = nullptr, *fragment = nullptr, *time = nullptr;
   if (!color_.empty()) {
     distance = maps[place_of(MapKind::distance)] + at;
     fragment = maps[place_of(MapKind::fragment)] + at;
+    time = maps[place_of(MapKind::time)] + at;
   }
   for (int x = 0; x < size_; ++x) {
     const double share = mask[x];
@@ -118,14 +126,15 @@ void MaterialMaps::compose(int y, std::size_t at, const std::vector<const float*
     }
     if (color_.empty()) continue;
     const Random random(seed_, static_cast<std::uint64_t>(fragment[x]));
+    const double tone = tone_.factor(time[x]);
     const double beside = distance[x] / stain_width_;
     const double tint = (1 + material_.mottle * cloud +
                          piece_tint * material_.pieces * (random.uniform_at(0) - 0.5)) *
-                        (1 - material_.stain * elementary::exp(-beside * beside));
+                        (1 - tone * material_.stain * elementary::exp(-beside * beside));
     for (std::size_t c = 0; c < 3; ++c) {
       const double own = std::clamp(tint * material_.color[c], 0.0, 1.0);
       color_[3 * (at + static_cast<std::size_t>(x)) + c] =
-          static_cast<float>(own + share * (material_.wall[c] - own));
+          static_cast<float>(own + tone * share * (material_.wall[c] - own));
     }
   }
 }

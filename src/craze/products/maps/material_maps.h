@@ -6,6 +6,7 @@
 
 #include "craze/base/tile_noise.h"
 #include "craze/context.h"
+#include "craze/engine/width_by_age.h"
 #include "craze/maps.h"
 
 namespace craze {
@@ -16,6 +17,7 @@ struct TileMaterial {
   double mottle = 0;     ///< relative strength of the cloudy variation of the colour
   double pieces = 0;     ///< 0 … 1, how much one piece differs from the next
   double stain = 0;      ///< 0 … 1, darkening of the band beside a crack
+  double late = 1;       ///< 0 … 1, what is left of wall and stain at the last crack to open
   double roughness = 1;  ///< 0 … 1, of the surface; an open crack has 1
 };
 
@@ -47,6 +49,7 @@ class MaterialMaps : public MapSink {
   TileNoise clouds_;
   std::vector<MapKind> baked_;
   int size_ = 0;
+  WidthByAge tone_{1};
   std::vector<float> color_, roughness_;  // of the rows that go by
 };
 

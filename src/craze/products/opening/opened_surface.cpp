@@ -11,6 +11,7 @@
 #include "craze/error.h"
 #include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/transfer_attributes.h"
+#include "craze/products/opening/aged_displacement.h"
 #include "craze/products/opening/bend_refinement.h"
 #include "craze/products/opening/curl.h"
 #include "craze/products/opening/opened_attributes.h"
@@ -45,8 +46,8 @@ std::vector<Vec3> as_vectors(const Attribute& attribute) {
 /// that each of its triangles has a flat inner side however it was cut.
 std::vector<Vec3> outwards(const CrackedSurface& state, const TriangleMesh* refined) {
   SurfaceMesh uncut;
-  uncut.positions = state.surface.positions;
-  uncut.triangles = state.surface.triangles;
+  uncut.positions = state.surface->positions;
+  uncut.triangles = state.surface->triangles;
   uncut.vertex_attributes = {as_attribute(inner_directions(uncut.positions, uncut.triangles))};
   SurfaceMesh cut = state.with_attributes(uncut);
   if (refined) cut = transfer_attributes(cut, *refined);
@@ -129,6 +130,10 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
     cut.vertex_attributes.pop_back();
     surface.times = growth_times(mesh, state.network);
   }
+  if (post.late_width != 1 && post.gap > 0) {
+    displacement = aged_displacement(mesh, surface.times.sites, displacement, state.crack_times(),
+                                     width_by_age(post.late_width, state.network.edges));
+  }
   OpeningOptions options;
   options.gap = post.gap;
   options.wall = post.wall;
@@ -146,7 +151,7 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
     drop_walls(mesh, surface.opened);
     const std::vector<std::string> warnings =
         make_solid(mesh, crack_sites(mesh), outwards(state, surface.refined.get()),
-                   {post.thickness, post.core}, surface.opened, context);
+                   {post.thickness, post.wedge, post.core}, surface.opened, context);
     surface.warnings.insert(surface.warnings.end(), warnings.begin(), warnings.end());
   }
   context.check();

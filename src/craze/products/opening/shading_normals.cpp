@@ -10,8 +10,8 @@ std::vector<Vec3> shading_normals(const OpenedSurface& shown, const Result& resu
   if (!shown.mesh.corner_normals.empty()) return shown.mesh.corner_normals;
   if (shown.curled) return smooth_normals(shown.mesh, crease);
   SurfaceMesh smooth;
-  smooth.positions = result.state().surface.positions;
-  smooth.triangles = result.state().surface.triangles;
+  smooth.positions = result.state().surface->positions;
+  smooth.triangles = result.state().surface->triangles;
   smooth.corner_normals = smooth_normals(smooth, crease);
   std::vector<Vec3> normals = result.state().with_attributes(smooth).corner_normals;
   for (std::size_t f = normals.size() / 3; f < shown.mesh.triangles.size(); ++f) {

@@ -10,8 +10,13 @@ std::vector<Vec3> SolidShape::positions(const std::vector<double>& depth) const 
   for (std::size_t i = 0; i < topology.bottoms.size(); ++i) {
     const SolidBottom& b = topology.bottoms[i];
     const bool is_core = static_cast<std::int32_t>(i) >= topology.core_bottom;
-    const std::vector<Vec3>& from = is_core ? mesh.positions() : opened;
-    const Vec3 top = from[b.from] + b.share * (from[b.to] - from[b.from]);
+    const std::vector<Vec3>& shut = mesh.positions();
+    const std::vector<Vec3>& from = is_core ? shut : opened;
+    Vec3 top = from[b.from] + b.share * (from[b.to] - from[b.from]);
+    if (!is_core && wedge > 0) {
+      top += std::min(wedge * depth[b.vertex], 1.0) *
+             (shut[b.from] + b.share * (shut[b.to] - shut[b.from]) - top);
+    }
     const double down = depth[b.vertex] + (is_core ? clearance[b.vertex] : 0);
     positions.push_back(top - down * outwards[b.vertex]);
   }

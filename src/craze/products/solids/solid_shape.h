@@ -19,6 +19,9 @@ struct SolidShape {
   const std::vector<Vec3>& opened;       ///< #V: where its vertices are
   const std::vector<Vec3>& outwards;     ///< #V, the same on a site: inner_directions.h
   const std::vector<double>& clearance;  ///< #V, the same on a site, length: of the core
+  /// What the inner surface does not go of the outer one's way, as a share per depth, so that walls
+  /// lean as much where a piece is thin; 1/length.
+  double wedge;
   const SolidTopology& topology;
 
   /// Of the mesh, then of the bottoms. `depth` (#V): how thick, the same on a site.

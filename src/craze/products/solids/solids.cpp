@@ -63,9 +63,11 @@ std::vector<std::string> make_solid(const TriangleMesh& mesh, const CrackSites& 
   const Shells shells = find_shells(mesh, sites);
   const SolidTopology topology = solid_topology(mesh, sites, options.core ? &shells : nullptr);
   const std::vector<double> clearance = largest_moves(mesh, sites, opened.mesh.positions);
-  const SolidShape shape{mesh, sites, shells, opened.mesh.positions, outwards, clearance, topology};
   // Beyond the object's own size more thickness shows nothing more.
   const double thickness = std::min(options.thickness, bounding_diagonal(mesh.positions()));
+  const SolidShape shape{
+      mesh,    sites, shells, opened.mesh.positions, outwards, clearance, options.wedge / thickness,
+      topology};
   const SolidDepth limit = limit_depth(shape, thickness, context);
   append(topology, shape.positions(limit.depth), opened);
   return warnings_of(limit, topology, options);
