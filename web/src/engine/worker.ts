@@ -35,9 +35,9 @@ async function answer({ kind, request }: ToWorker): Promise<Reply> {
     case "fields":
       return session.fields();
     case "statistics":
-      return session.statistics();
+      return session.statistics(request);
     case "writeLines":
-      return session.writeLines(request.name);
+      return session.writeLines(request.name, request.post);
     case "loop":
       return session.loop(request.cracks, request.seed);
     case "maps":
