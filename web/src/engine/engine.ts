@@ -105,7 +105,7 @@ export class Engine {
   }
 
   private take(): WorkerClient {
-    const worker = this.spare;
+    const worker = this.spare.isGone ? new WorkerClient(this.code) : this.spare;
     worker.onProgress = (progress) => this.onProgress(progress);
     worker.onOpened = (pieces) => this.onOpened(pieces);
     this.spare = new WorkerClient(this.code);

@@ -116,7 +116,7 @@ export interface OutputFile {
 }
 
 export interface Requests {
-  start: { request: { code: WebAssembly.Module }; reply: null };
+  start: { request: { code: WebAssembly.Module; life: string }; reply: null };
   look: { request: { input: Input }; reply: InputMesh };
   crack: { request: CrackRequest; reply: Summary };
   open: { request: Post; reply: Picture };
