@@ -76,7 +76,8 @@ for (const format of ["ply", "obj", "glb", "usda"]) {
 const finished = {
   "rough lines": { roughness: 0.08, gap: 0.05, wall: 0.01 },
   "thin late cracks of a mean opening": { lateWidth: 0.2, gap: 0.1, gapWidth: 0.004, wall: 0.01 },
-  "solids": { thickness: 0.03, gap: 0.05, roughness: 0.05 },
+  "solids": { thickness: 0.03, gap: 0.05 },
+  "solids with rough lines": { thickness: 0.03, roughness: 0.05 },
   "smooth lines where the preset's are rough": { preset: "drying-front", roughness: 0 },
 };
 for (const [name, change] of Object.entries(finished)) {
