@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -110,6 +111,14 @@ PostParameters changed_post(const Result& result, const char* text) {
     throw Error(ErrorKind::usage, "wrong key", "post", "only those of [post] change an opening");
   }
   return post;
+}
+
+/// The run of a job with another [post]; lines made anew for it are kept with the job.
+Result made_with(craze_job& job, const Result& result, const PostParameters& post) {
+  Result made =
+      with_post(result, post, CallbackContext(job).get(), job.rougher ? &*job.rougher : nullptr);
+  if (&made.state() != &result.state()) job.rougher = made;
+  return made;
 }
 
 craze_mesh* new_mesh(const craze_opening& shown) {
@@ -227,10 +236,7 @@ craze_opening* craze_job_open_post(craze_job* job, const char* text, craze_error
   return guarded(error, [&] {
     const Result& result = result_of(job);
     require(text, "text");
-    const PostParameters post = changed_post(result, text);
-    Result made = with_post(result, post, CallbackContext(*job).get(),
-                            job->rougher ? &*job->rougher : nullptr);
-    if (&made.state() != &result.state()) job->rougher = made;
+    const Result made = made_with(*job, result, changed_post(result, text));
     craze_opening* opening = new_opening(job, made, made.report().recipe.post);
     const std::vector<std::string>& known = result.report().warnings;
     for (const std::string& warning : made.report().warnings) {
@@ -239,6 +245,19 @@ craze_opening* craze_job_open_post(craze_job* job, const char* text, craze_error
       }
     }
     return opening;
+  });
+}
+
+craze_job* craze_job_with_post(craze_job* job, const char* text, craze_error* error) {
+  return guarded(error, [&] {
+    const Result& result = result_of(job);
+    require(text, "text");
+    const PostParameters post = changed_post(result, text);
+    Result made = made_with(*job, result, post);
+    auto changed = std::make_unique<craze_job>(*job);
+    changed->recipe.post = post;
+    changed->result = std::move(made);
+    return changed.release();
   });
 }
 

@@ -274,6 +274,9 @@ CRAZE_API craze_opening* craze_job_open_solid(const craze_job* job, double gap, 
  * goes before gap, roughness before relative_roughness: a key that is to yield is set to 0. Nothing
  * is cracked again. The lines of the roughness last asked for are kept with the job. */
 CRAZE_API craze_opening* craze_job_open_post(craze_job* job, const char* text, craze_error* error);
+/* A finished job, as this one would be had its recipe had those keys: for its lines, maps,
+ * statistics and report. Free with craze_job_free. */
+CRAZE_API craze_job* craze_job_with_post(craze_job* job, const char* text, craze_error* error);
 CRAZE_API void craze_opening_free(craze_opening* opening);
 /* The opened mesh. Free with craze_mesh_free. */
 CRAZE_API craze_mesh* craze_opening_mesh(const craze_opening* opening, craze_error* error);

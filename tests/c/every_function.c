@@ -302,6 +302,24 @@ static void cracks_are_made_rough_without_a_run(craze_job* job) {
   craze_opening_free(rough);
 }
 
+static int64_t line_points(const craze_job* job) {
+  craze_array points;
+  craze_lines* lines = craze_job_lines(job, NULL);
+  EXPECT(craze_lines_array(lines, "points", &points, NULL) == CRAZE_OK);
+  craze_lines_free(lines);
+  return points.rows;
+}
+
+static void a_finished_job_gets_another_post(craze_job* job) {
+  craze_job* rough = craze_job_with_post(job, "[post]\nroughness = 0.01", NULL);
+  EXPECT(rough != NULL);
+  EXPECT(line_points(rough) > line_points(job));
+  EXPECT_ERROR(craze_job_with_post(job, "[layer]\nspacing = 0.3", e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_with_post(job, NULL, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_with_post(NULL, "", e), CRAZE_USAGE);
+  craze_job_free(rough);
+}
+
 static void cracks_open_and_grow(craze_job* job) {
   craze_array vertices;
   double* positions;
@@ -325,6 +343,7 @@ static void cracks_open_and_grow(craze_job* job) {
   EXPECT_ERROR(craze_job_open(job, NAN, 0, 0, e), CRAZE_REQUEST);
   check_solids(job);
   cracks_are_made_rough_without_a_run(job);
+  a_finished_job_gets_another_post(job);
   EXPECT(craze_opening_vertex_count(NULL) == 0);
   EXPECT(craze_opening_warning(opening, 1 << 20) == NULL);
   EXPECT(craze_opening_warning(NULL, 0) == NULL);

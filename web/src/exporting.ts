@@ -41,7 +41,7 @@ export class Exporting {
         return [{ name: format, bytes: zipSync(files, { level: 0, mtime: firstDay }) }];
       }
       case "svg":
-        return this.engine.writeLines(name);
+        return this.engine.writeLines(name, this.what.post());
       case "png":
         return [await fileOf(name, await this.stage.viewer.picture())];
       case "webm": {

@@ -3,7 +3,8 @@
 import type { Engine } from "./engine/engine";
 import type { Picture } from "./engine/messages";
 import { LoopDialog } from "./loop/loop_dialog";
-import { baseRecipe } from "./project/recipe";
+import { baseRecipe } from "./project/base_recipe";
+import { postText } from "./project/openings";
 import type { Store } from "./project/store";
 import type { Stage } from "./scene/stage";
 import { SeePanel, type View } from "./ui/see_panel";
@@ -42,9 +43,8 @@ export class Seeing {
   async show(picture: Picture, anew: boolean): Promise<void> {
     const { picture: look } = baseRecipe(this.store.project);
     this.picture = { picture, material: look.material };
-    if (!anew) return;
-    this.statistics.clear();
-    await this.showHeat();
+    this.statistics.clear(); // rough lines have others
+    if (anew) await this.showHeat();
   }
 
   /** There is no result any more. */
@@ -84,6 +84,7 @@ export class Seeing {
   }
 
   private async measure(): Promise<void> {
-    this.statistics.show(await this.engine.statistics(), this.store.project.preset);
+    const { project } = this.store;
+    this.statistics.show(await this.engine.statistics(postText(project)), project.preset);
   }
 }

@@ -9,11 +9,12 @@ import { canvasOf, type Canvas } from "./paint/canvas";
 import { paintedAttributes } from "./paint/layers";
 import { Painting } from "./paint/painting";
 import { saveFile, saveProject } from "./project/autosave";
+import { baseRecipe } from "./project/base_recipe";
 import { ownRecipeOf, projectOf, toHash } from "./project/link";
+import { isOpened, postText } from "./project/openings";
 import { cracksOtherwise, opensOtherwise, type LayerName, type Project } from "./project/project";
 import type { Stroke } from "./project/project";
 import {
-  baseRecipe,
   commandLine,
   ofOwnRecipe,
   recipeRequest,
@@ -182,7 +183,7 @@ export class Studio {
     const picture = await this.engine.open(this.post());
     this.stage.setPicture(picture);
     if (picture.warnings.length > 0) this.panel.tell(picture.warnings.join(" "));
-    this.growth.setOpened(this.store.project.gap !== 0 || this.store.project.curl !== 0);
+    this.growth.setOpened(isOpened(this.store.project));
     await this.growth.show(time);
     await this.seeing.show(picture, anew);
   }
@@ -203,8 +204,7 @@ export class Studio {
   }
 
   private post(): Post {
-    const { gap, wall, curl } = this.store.project;
-    return { gap, wall, curl };
+    return postText(this.store.project);
   }
 
   private choosePaint(paint: Paint): void {

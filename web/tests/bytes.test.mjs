@@ -16,17 +16,18 @@ const shapes = ["plate?n=30&jitter=0.3", "cup?n=48"];
 const coarse = 0.25; // spacing: what is compared are bits, and few triangles have all kinds of them
 const hash = (bytes) => createHash("sha256").update(bytes).digest("hex");
 
-let Session, firstProject, recipe, canvasOf, Painting, paintedAttributes, folder;
+let Session, firstProject, openings, recipe, canvasOf, Painting, paintedAttributes, folder;
 before(async () => {
   const modules = await pageModules([
     "engine/session",
     "project/project",
+    "project/openings",
     "project/recipe",
     "paint/canvas",
     "paint/painting",
     "paint/layers",
   ]);
-  [{ Session }, { firstProject }, recipe, { canvasOf }, { Painting }, { paintedAttributes }] = modules;
+  [{ Session }, { firstProject }, openings, recipe, { canvasOf }, { Painting }, { paintedAttributes }] = modules;
   folder = mkdtempSync(join(tmpdir(), "craze-"));
 });
 after(() => rmSync(folder, { recursive: true }));
@@ -46,7 +47,7 @@ const requestOf = (project) => ({
 async function exported(project, name) {
   const session = await newSession(Session);
   session.crack(requestOf(project));
-  return session.write(name, project).find((file) => file.name === name).bytes;
+  return session.write(name, openings.postText(project)).find((file) => file.name === name).bytes;
 }
 
 for (const specification of shapes) {
@@ -69,6 +70,26 @@ for (const format of ["ply", "obj", "glb", "usda"]) {
     const name = `opened.${format}`;
     runLine(recipe.commandLine(project, name));
     assert.equal(hash(await exported(project, name)), hash(readFileSync(join(folder, name))));
+  });
+}
+
+const finished = {
+  "rough lines": { roughness: 0.08, gap: 0.05, wall: 0.01 },
+  "thin late cracks of a mean opening": { lateWidth: 0.2, gap: 0.1, gapWidth: 0.004, wall: 0.01 },
+  "solids": { thickness: 0.03, gap: 0.05 },
+  "solids with rough lines": { thickness: 0.03, roughness: 0.05 },
+  "smooth lines where the preset's are rough": { preset: "drying-front", roughness: 0 },
+};
+for (const [name, change] of Object.entries(finished)) {
+  test(`${name} of a finished run give the command's bytes`, { skip }, async () => {
+    const source = { kind: "shape", specification: shapes[1] };
+    const project = { ...firstProject, source, spacing: coarse, load: 2, ...change };
+    runLine(recipe.commandLine(project, "finished.glb"));
+    const wanted = hash(readFileSync(join(folder, "finished.glb")));
+    const bytes = await exported(project, "finished.glb");
+    assert.equal(hash(bytes), wanted);
+    const before = { ...project, roughness: 0.02, thickness: 0, gap: 0.01, gapWidth: 0 };
+    assert.notEqual(hash(await exported(before, "finished.glb")), wanted);
   });
 }
 
@@ -102,11 +123,13 @@ test("cracks are told as they open, all of them and in their order", async () =>
 test("a recipe of one's own comes back from TOML, and gives the command's bytes", { skip }, async () => {
   const source = { kind: "shape", specification: shapes[1] };
   const session = await newSession(Session);
-  const own = `seed = 5\n[layer]\nspacing = ${coarse}\n[material]\nscatter = 0.3\n[post]\ngap = 0.04\n`;
+  const post = `gap = 0.04\nwall = "2cm"\nthickness = "3cm"\nroughness = 0.01\n`;
+  const mesh = `[mesh]\nunit = "m"\n`;
+  const own = `seed = 5\n[layer]\nspacing = ${coarse}\n[material]\nscatter = 0.3\n[post]\n${post}${mesh}`;
   const { json } = session.recipe({ base: { text: own, name: "own.toml" }, set: [] });
   const change = recipe.ofOwnRecipe(JSON.parse(json));
   const project = { ...firstProject, source, ...change, load: 3 };
-  assert.equal(project.gap, 0.04);
+  assert.equal(openings.openingOf(project, "gap"), 0.04);
   const { toml } = session.recipe(recipe.wholeRecipe(project));
   assert.match(toml, /^seed = 5$[^]*^scatter = 0\.3$[^]*^max_load = 3\.0$/m);
   assert.equal(session.recipe({ base: { text: toml, name: "again" }, set: [] }).toml, toml);
@@ -127,11 +150,12 @@ function unpacked(png) {
 
 test("maps have the pixels of the command's", { skip }, async () => {
   const source = { kind: "shape", specification: shapes[1] };
-  const project = { ...firstProject, source, spacing: coarse, gap: 0.05, wall: 0.02 };
+  const opened = { gapWidth: 0.004, wall: 0.02, roughness: 0.08, lateWidth: 0.3 };
+  const project = { ...firstProject, source, spacing: coarse, ...opened };
   runLine(`${recipe.commandLine(project, "mapped.ply")} --maps maps --map-size 64`);
   const session = await newSession(Session);
   session.crack(requestOf(project));
-  const files = await session.maps(64, project);
+  const files = await session.maps(64, openings.postText(project));
   assert.equal(files.length, 13);
   for (const { name, bytes } of files.filter(({ name }) => name.endsWith(".png"))) {
     const wanted = unpacked(readFileSync(join(folder, "maps", name)));
@@ -177,6 +201,6 @@ async function expectPaintedBytes(strokes) {
   writeFileSync(join(folder, painted.name), painted.bytes);
   runLine(recipe.commandLine(project, "cracked.ply"));
   session.crack(request);
-  const [page] = session.write("cracked.ply", project);
+  const [page] = session.write("cracked.ply", openings.postText(project));
   assert.equal(hash(page.bytes), hash(readFileSync(join(folder, "cracked.ply"))));
 }

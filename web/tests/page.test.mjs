@@ -19,7 +19,7 @@ import {
 } from "./page.mjs";
 
 const buttons = ["Open", "Crack", "Cancel", "Undo", "Redo", "Export", "Copy command", "Copy link", "New seed"];
-const sliders = ["Spacing", "Load", "Gap", "Wall", "Curl", "Growth", "Brush size", "Brush strength"];
+const sliders = ["Spacing", "Load", "Gap", "Mean opening", "Wall", "Curl", "Late width", "Thickness", "Roughness", "Growth", "Brush size", "Brush strength"];
 const paints = ["None", "Stress", "Strength", "Spacing", "Mask", "Impact"];
 
 const browser = browserOfTests();
@@ -55,16 +55,17 @@ test("opening the cracks, and taking it back, cracks nothing again", { skip }, a
         globalThis.stopLooking = () => resolve(seen);
       }),
   );
-  for (const name of ["Gap", "Wall", "Curl", "Growth"]) {
+  const names = ["Gap", "Wall", "Curl", "Late width", "Roughness", "Mean opening", "Thickness"];
+  for (const name of [...names, "Growth"]) {
     await slider(page, name).focus();
-    await page.keyboard.press("PageUp");
+    await page.keyboard.press(name === "Late width" ? "PageDown" : "PageUp");
   }
   const opened = await exported(page, "PLY");
   assert.notDeepEqual(opened, before);
-  for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+z");
+  for (let i = 0; i < names.length; ++i) await page.keyboard.press("Control+z");
   assert.equal(await button(page, "Undo").isDisabled(), true);
   assert.deepEqual(await exported(page, "PLY"), before);
-  for (let i = 0; i < 3; ++i) await button(page, "Redo").click();
+  for (let i = 0; i < names.length; ++i) await button(page, "Redo").click();
   assert.deepEqual(await exported(page, "PLY"), opened);
   await page.evaluate(() => globalThis.stopLooking());
   assert.deepEqual((await phases).filter((text) => /crack|start/.test(text) && !/cracked/.test(text)), []);

@@ -64,13 +64,8 @@ export interface CrazeModule {
   _craze_lines_array(lines: Pointer, name: Pointer, array: Pointer, error: Pointer): Status;
   _craze_lines_write(lines: Pointer, path: Pointer, error: Pointer): Status;
   _craze_lines_free(lines: Pointer): void;
-  _craze_job_open(
-    job: Pointer,
-    gap: number,
-    wall: number,
-    curl: number,
-    error: Pointer,
-  ): Pointer;
+  _craze_job_open_post(job: Pointer, text: Pointer, error: Pointer): Pointer;
+  _craze_job_with_post(job: Pointer, text: Pointer, error: Pointer): Pointer;
   _craze_opening_free(opening: Pointer): void;
   _craze_opening_mesh(opening: Pointer, error: Pointer): Pointer;
   _craze_opening_warning(opening: Pointer, index: bigint): Pointer;

@@ -72,12 +72,12 @@ export class Engine {
     return this.last().ask("fields", null);
   }
 
-  statistics(): Promise<m.Statistics> {
-    return this.last().ask("statistics", null);
+  statistics(post: m.Post): Promise<m.Statistics> {
+    return this.last().ask("statistics", post);
   }
 
-  writeLines(name: string): Promise<m.OutputFile[]> {
-    return this.last().ask("writeLines", { name });
+  writeLines(name: string, post: m.Post): Promise<m.OutputFile[]> {
+    return this.last().ask("writeLines", { name, post });
   }
 
   /** Maps of the last run and what they stand for, `size` texels a side. Throws CrazeError. */
@@ -105,7 +105,7 @@ export class Engine {
   }
 
   private take(): WorkerClient {
-    const worker = this.spare;
+    const worker = this.spare.isGone ? new WorkerClient(this.code) : this.spare;
     worker.onProgress = (progress) => this.onProgress(progress);
     worker.onOpened = (pieces) => this.onOpened(pieces);
     this.spare = new WorkerClient(this.code);

@@ -2,16 +2,18 @@
 import { png16 } from "../files/png16";
 import type { CrazeModule } from "./craze_module";
 import type { Memory } from "./memory";
-import type { OutputFile, Post } from "./messages";
+import type { OutputFile } from "./messages";
 
-/** `size`: texels a side. Throws CrazeError, as for a mesh without UVs. */
+/** `size`: texels a side; grooves are as wide and deep as the job's recipe says. Throws CrazeError,
+ * as for a mesh without UVs. */
 export async function mapFiles(
   craze: CrazeModule,
   memory: Memory,
   job: number,
   size: number,
-  { gap, wall }: Post,
 ): Promise<OutputFile[]> {
+  const summary = JSON.parse(memory.taken((e) => craze._craze_job_summary(job, e)));
+  const { gap, wall } = summary.recipe.post;
   const maps = memory.made((e) => craze._craze_job_bake(job, size, 0, 1, gap, wall, e));
   try {
     const files: OutputFile[] = [];

@@ -24,12 +24,8 @@ export interface CrackRequest {
   recipe: RecipeRequest;
 }
 
-/** [post] of a recipe: γ of [IO06 Eq. 9], depth of the walls in the mesh's unit, lift of the edges. */
-export interface Post {
-  gap: number;
-  wall: number;
-  curl: number;
-}
+/** How a finished run is opened: TOML or JSON of a recipe that has keys of [post] alone. */
+export type Post = string;
 
 /** The surface that was given, for looking at and painting on. */
 export interface InputMesh {
@@ -120,15 +116,15 @@ export interface OutputFile {
 }
 
 export interface Requests {
-  start: { request: { code: WebAssembly.Module }; reply: null };
+  start: { request: { code: WebAssembly.Module; life: string }; reply: null };
   look: { request: { input: Input }; reply: InputMesh };
   crack: { request: CrackRequest; reply: Summary };
   open: { request: Post; reply: Picture };
   moment: { request: { time: number }; reply: Moment };
   write: { request: { name: string; post: Post }; reply: OutputFile[] };
   fields: { request: null; reply: Fields };
-  statistics: { request: null; reply: Statistics };
-  writeLines: { request: { name: string }; reply: OutputFile[] };
+  statistics: { request: Post; reply: Statistics };
+  writeLines: { request: { name: string; post: Post }; reply: OutputFile[] };
   loop: { request: { cracks: number; seed: number }; reply: LoopState };
   maps: { request: { size: number; post: Post }; reply: OutputFile[] };
   recipe: { request: RecipeRequest; reply: RecipeTexts };

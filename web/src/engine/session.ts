@@ -25,7 +25,7 @@ export class Session {
   private mesh = 0;
   private job = 0;
   private opening = 0;
-  private opened: { post: m.Post; triangles: Int32Array; edges: Uint32Array } | null = null;
+  private opened: { triangles: Int32Array; edges: Uint32Array } | null = null;
 
   constructor(
     private readonly craze: CrazeModule,
@@ -89,7 +89,7 @@ export class Session {
       const growth = memory.meshArray(mesh, "vertex:crack_growth").values;
       const distance = memory.meshArray(mesh, "vertex:crack_distance").values;
       const edges = crackEdges(triangles, distance, walls);
-      this.opened = { post, triangles, edges };
+      this.opened = { triangles, edges };
       return {
         ...this.places(positions),
         normals: shading(this.craze, memory, mesh, triangles.length),
@@ -116,9 +116,7 @@ export class Session {
   /** The opened mesh in the format of the name's extension, and what is written beside it. */
   write(name: string, post: m.Post): m.OutputFile[] {
     const { craze, memory } = this;
-    const opening = memory.made((e) =>
-      craze._craze_job_open(this.job, post.gap, post.wall, post.curl, e),
-    );
+    const opening = this.newOpening(post);
     try {
       const mesh = memory.made((e) => craze._craze_opening_mesh(opening, e));
       try {
@@ -135,12 +133,14 @@ export class Session {
     return fieldsOf(this.craze, this.memory, this.job);
   }
 
-  statistics(): m.Statistics {
-    return JSON.parse(this.memory.taken((e) => this.craze._craze_job_statistics(this.job, e)));
+  statistics(post: m.Post): Promise<m.Statistics> {
+    return this.withPost(post, (job) =>
+      JSON.parse(this.memory.taken((e) => this.craze._craze_job_statistics(job, e))),
+    );
   }
 
   maps(size: number, post: m.Post): Promise<m.OutputFile[]> {
-    return mapFiles(this.craze, this.memory, this.job, size, post);
+    return this.withPost(post, (job) => mapFiles(this.craze, this.memory, job, size));
   }
 
   recipe(request: m.RecipeRequest): m.RecipeTexts {
@@ -162,9 +162,11 @@ export class Session {
   }
 
   /** The cracks as lines in the format of the name's extension. */
-  writeLines(name: string): m.OutputFile[] {
+  async writeLines(name: string, post: m.Post): Promise<m.OutputFile[]> {
     const { craze, memory } = this;
-    const lines = memory.made((e) => craze._craze_job_lines(this.job, e));
+    const lines = await this.withPost(post, (job) =>
+      memory.made((e) => craze._craze_job_lines(job, e)),
+    );
     try {
       memory.withText(`${folder}/${name}`, (path) =>
         memory.check((e) => craze._craze_lines_write(lines, path, e)),
@@ -219,10 +221,26 @@ export class Session {
   private makeOpening(post: m.Post): number {
     this.craze._craze_opening_free(this.opening);
     this.opening = 0;
-    this.opening = this.memory.made((e) =>
-      this.craze._craze_job_open(this.job, post.gap, post.wall, post.curl, e),
-    );
+    this.opening = this.newOpening(post);
     return this.opening;
+  }
+
+  private newOpening(post: m.Post): number {
+    return this.memory.withText(post, (text) =>
+      this.memory.made((e) => this.craze._craze_job_open_post(this.job, text, e)),
+    );
+  }
+
+  /** Runs body with the job as it would be with this [post]; it is freed when body has ended. */
+  private async withPost<T>(post: m.Post, body: (job: number) => T): Promise<Awaited<T>> {
+    const job = this.memory.withText(post, (text) =>
+      this.memory.made((e) => this.craze._craze_job_with_post(this.job, text, e)),
+    );
+    try {
+      return await body(job);
+    } finally {
+      this.craze._craze_job_free(job);
+    }
   }
 
   private triangles(mesh: number): Int32Array {

@@ -1,6 +1,7 @@
 // The engine's worker: one request after the other, a reply for each.
 import createCraze from "./generated/craze.mjs";
 import { instantiate, type CreateCraze } from "./craze_module";
+import { holdLife } from "./life";
 import { CrazeError } from "./memory";
 import type { FromWorker, Kind, Requests, ToWorker } from "./messages";
 import { Session } from "./session";
@@ -13,6 +14,7 @@ type Reply = Requests[Kind]["reply"];
 
 async function answer({ kind, request }: ToWorker): Promise<Reply> {
   if (kind === "start") {
+    await holdLife(request.life);
     const craze = await instantiate(createCraze as CreateCraze, request.code);
     session = new Session(craze, {
       progress: (progress) => send({ progress }),
@@ -35,9 +37,9 @@ async function answer({ kind, request }: ToWorker): Promise<Reply> {
     case "fields":
       return session.fields();
     case "statistics":
-      return session.statistics();
+      return session.statistics(request);
     case "writeLines":
-      return session.writeLines(request.name);
+      return session.writeLines(request.name, request.post);
     case "loop":
       return session.loop(request.cracks, request.seed);
     case "maps":

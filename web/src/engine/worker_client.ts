@@ -1,4 +1,5 @@
 // A worker with the engine, asked through promises.
+import { endOfLife, newLife } from "./life";
 import { CrazeError } from "./memory";
 import type { FromWorker, Kind, OpenedPieces, Progress, Requests } from "./messages";
 
@@ -21,13 +22,19 @@ export class WorkerClient {
   private readonly worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
   private readonly waiting = new Map<number, Waiting>();
   private next = 0;
+  private gone: Error | null = null; // why it answers no longer
 
   constructor(code: Promise<WebAssembly.Module>) {
     this.worker.addEventListener("message", (event: MessageEvent<FromWorker>) =>
       this.hear(event.data),
     );
     this.worker.addEventListener("error", (event) => this.fail(new Error(event.message)));
-    this.started = code.then((compiled) => this.post("start", { code: compiled }));
+    const life = newLife();
+    this.started = code.then((compiled) => this.post("start", { code: compiled, life }));
+    void this.started.then(() => endOfLife(life)).then(
+      () => this.fail(new Error("The engine has stopped: crack it again.")),
+      () => {},
+    );
     this.started.catch(() => {}); // told to whoever asks
   }
 
@@ -44,8 +51,13 @@ export class WorkerClient {
     this.fail(new Cancelled());
   }
 
+  get isGone(): boolean {
+    return this.gone !== null;
+  }
+
   private post<K extends Kind>(kind: K, request: Requests[K]["request"]) {
     return new Promise<Requests[K]["reply"]>((resolve, reject) => {
+      if (this.gone) return reject(this.gone);
       const id = this.next++;
       this.waiting.set(id, { resolve: resolve as Waiting["resolve"], reject });
       this.worker.postMessage({ id, kind, request });
@@ -62,6 +74,7 @@ export class WorkerClient {
   }
 
   private fail(reason: Error): void {
+    this.gone ??= reason;
     const waiting = [...this.waiting.values()];
     this.waiting.clear();
     for (const { reject } of waiting) reject(reason);

@@ -1,8 +1,12 @@
 // A project as text, checked when it comes back: for addresses, packed, and for files.
+import { openingKeys, openingNames, type Openings, type Value } from "./openings";
 import { firstProject, layerNames, type OwnRecipe, type Project, type Stroke } from "./project";
 
 type Json = Record<string, unknown>;
 
+// Keys of [post] that the engine has where a recipe, as of an older page, has none.
+const isValue = (x: unknown): x is Value | undefined =>
+  x === undefined || isNumber(x) || typeof x === "string";
 const isNumber = (x: unknown): x is number => typeof x === "number" && Number.isFinite(x);
 const isList = (x: unknown, length?: number): x is number[] =>
   Array.isArray(x) && x.every(isNumber) && (length === undefined || x.length === length);
@@ -27,22 +31,25 @@ function strokeOf(value: unknown): Stroke {
 }
 
 /** The whole recipe in parsed JSON, null where there is none; throws Error where it lacks what the
- * page reads or asks for what the page cannot show. */
+ * page reads. */
 export function ownRecipeOf(json: unknown): OwnRecipe | null {
   if (json === undefined || json === null) return null;
   const recipe = json as OwnRecipe;
   const { seed, layer, evolution, picture, post } = recipe;
+  if (typeof post !== "object" || post === null) wrong("recipe");
   const numbers = [seed, layer?.relative_spacing, evolution?.max_load];
   if (!numbers.every(isNumber) || typeof picture?.material !== "string") wrong("recipe");
-  if (!["number", "string"].includes(typeof layer.spacing)) wrong("recipe");
-  for (const name of ["gap", "wall", "curl"] as const) {
-    if (!isNumber(post?.[name])) wrong(`post.${name} of the recipe must be a number without a unit`);
-  }
-  const opened = post as unknown as Json;
-  for (const name of ["thickness", "gap_width"]) {
-    if (opened[name] !== 0) wrong(`the studio has no post.${name} yet: set it to 0`);
+  if (!isValue(layer.spacing)) wrong("recipe");
+  for (const key of [...Object.values(openingKeys), "roughness"]) {
+    if (!isValue(post[key])) wrong(`post.${key} of the recipe`);
   }
   return recipe;
+}
+
+function openingsOf(value: Json): Openings {
+  const read = (name: string) =>
+    numberOr(value[name], null, name, name === "curl" ? -Infinity : 0);
+  return Object.fromEntries(openingNames.map((name) => [name, read(name)])) as Openings;
 }
 
 /** The project in parsed JSON; throws Error where it is none. */
@@ -67,9 +74,7 @@ export function projectOf(json: unknown): Project {
     seed: numberOr(value["seed"], firstProject.seed, "seed", 0),
     spacing: numberOr(value["spacing"], null, "spacing", 0),
     load: numberOr(value["load"], null, "load", 0),
-    gap: numberOr(value["gap"], 0, "gap", 0),
-    wall: numberOr(value["wall"], 0, "wall", 0),
-    curl: numberOr(value["curl"], 0, "curl", -Infinity),
+    ...openingsOf(value),
     strokes: strokes.map(strokeOf),
     impacts: impacts as unknown as Project["impacts"],
   };

@@ -1,5 +1,6 @@
 // What the page holds: all of it, and nothing that can be made of it again. Immutable; a change is
 // a new one that shares the rest.
+import { noOpenings, openingNames, type Openings, type Value } from "./openings";
 
 export type Source = { kind: "shape"; specification: string } | { kind: "file"; name: string };
 
@@ -23,22 +24,19 @@ export interface Stroke {
 /** What the page itself reads of a whole recipe, which has all keys of the table. */
 export interface OwnRecipe {
   seed: number;
-  layer: { spacing: number | string; relative_spacing: number };
+  layer: { spacing: Value; relative_spacing: number };
   evolution: { max_load: number };
   picture: { material: string };
-  post: { gap: number; wall: number; curl: number };
+  post: Record<string, Value>;
 }
 
-export interface Project {
+export interface Project extends Openings {
   source: Source;
   preset: string;
   recipe: OwnRecipe | null; // a person's own, whole, in the place of the preset's
   seed: number;
   spacing: number | null; // layer.spacing in the mesh's unit; null: the recipe's
   load: number | null; // evolution.max_load; null: the recipe's
-  gap: number;
-  wall: number;
-  curl: number;
   strokes: readonly Stroke[];
   impacts: readonly (readonly [number, number, number])[];
 }
@@ -50,14 +48,12 @@ export const firstProject: Project = {
   seed: 1,
   spacing: 0.14,
   load: null,
-  gap: 0,
-  wall: 0,
-  curl: 0,
+  ...noOpenings,
   strokes: [],
   impacts: [],
 };
 
-/** Whether the second cracks otherwise than the first; gap, wall and curl do not. */
+/** Whether the second cracks otherwise than the first; how cracks are opened does not count. */
 export function cracksOtherwise(a: Project, b: Project): boolean {
   return (
     a.source !== b.source ||
@@ -72,5 +68,5 @@ export function cracksOtherwise(a: Project, b: Project): boolean {
 }
 
 export function opensOtherwise(a: Project, b: Project): boolean {
-  return a.gap !== b.gap || a.wall !== b.wall || a.curl !== b.curl;
+  return openingNames.some((name) => a[name] !== b[name]);
 }

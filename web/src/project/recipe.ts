@@ -1,13 +1,8 @@
 // The recipe of a project as keys that differ from its preset: for the engine and for the command.
 import type { RecipeRequest } from "../engine/messages";
 import { layers, paintedLayers } from "../paint/layers";
+import { noOpenings, postKeys } from "./openings";
 import type { OwnRecipe, Project } from "./project";
-import { presetTable } from "./tables";
-
-/** What the project's own keys are on top of. */
-export function baseRecipe(project: Project): OwnRecipe {
-  return project.recipe ?? presetTable[project.preset]!.recipe;
-}
 
 /** For the engine; without [post], which opens what is cracked. */
 export function recipeRequest(project: Project): RecipeRequest {
@@ -23,8 +18,6 @@ export function wholeRecipe(project: Project): RecipeRequest {
 }
 
 const ownRecipe = "recipe.toml"; // as it is exported
-
-const opening = ["gap", "wall", "curl"] as const;
 
 /** Keys and values, as --set takes them, without [post]. */
 function changedKeys(project: Project): [string, string][] {
@@ -42,27 +35,14 @@ function changedKeys(project: Project): [string, string][] {
   return set;
 }
 
-function postKeys(project: Project): [string, string][] {
-  const own = baseRecipe(project).post;
-  return opening
-    .filter((name) => project[name] !== own[name])
-    .map((name) => [`post.${name}`, String(project[name])]);
-}
-
-/** What changes with another preset: an opening that was the preset's own is the next one's. */
-export function ofPreset(project: Project, preset: string): Partial<Project> {
-  const old = baseRecipe(project).post;
-  const change: Partial<Project> = { preset, recipe: null, spacing: null, load: null };
-  for (const name of opening) {
-    if (project[name] === old[name]) change[name] = presetTable[preset]!.recipe.post[name];
-  }
-  return change;
+/** What changes with another preset. */
+export function ofPreset(preset: string): Partial<Project> {
+  return { preset, recipe: null, spacing: null, load: null };
 }
 
 /** What changes with a recipe of a person's own: its seed and opening, and no impact but its own. */
 export function ofOwnRecipe(recipe: OwnRecipe): Partial<Project> {
-  const { gap, wall, curl } = recipe.post;
-  return { recipe, seed: recipe.seed, spacing: null, load: null, impacts: [], gap, wall, curl };
+  return { recipe, seed: recipe.seed, spacing: null, load: null, impacts: [], ...noOpenings };
 }
 
 /** For a shell: as it is where nothing in it means something there. */

@@ -6,6 +6,7 @@ import presets from "../engine/generated/presets.json";
 interface Parameter {
   key: string;
   help: string;
+  default: unknown;
   minimum?: number;
 }
 

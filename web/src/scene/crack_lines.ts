@@ -31,6 +31,7 @@ const fragmentShader = `
 
 export class CrackLines {
   readonly object: three.Mesh;
+  private room: three.InstancedInterleavedBuffer | null = null; // of what was appended
   private readonly geometry = new three.InstancedBufferGeometry();
   private readonly uniforms = {
     resolution: { value: new three.Vector2(1, 1) },
@@ -66,11 +67,34 @@ export class CrackLines {
     this.geometry.instanceCount = growth.length / 2;
   }
 
+  /** More pieces, grown from the first, behind those that were appended; `first` of them stay. Only
+   * what is new goes to where it is drawn. */
+  append(pieces: Float32Array, first: number): void {
+    const count = first + pieces.length / 6;
+    if (!this.room || this.room.count < count) {
+      const room = new Float32Array(6 * Math.max(1024, 2 * count));
+      if (this.room) room.set(this.room.array.subarray(0, 6 * first));
+      this.room = this.place(room);
+      const growth = new three.InstancedBufferAttribute(new Float32Array(room.length / 3), 2);
+      this.geometry.setAttribute("growth", growth);
+    }
+    this.room.array.set(pieces, 6 * first);
+    this.room.addUpdateRange(6 * first, pieces.length);
+    this.room.needsUpdate = true;
+    this.geometry.instanceCount = count;
+  }
+
   /** The same pieces elsewhere. */
   move(lines: Float32Array): void {
+    this.room = null;
+    this.place(lines);
+  }
+
+  private place(lines: Float32Array): three.InstancedInterleavedBuffer {
     const both = new three.InstancedInterleavedBuffer(lines, 6, 1);
     this.geometry.setAttribute("start", new three.InterleavedBufferAttribute(both, 3, 0));
     this.geometry.setAttribute("end", new three.InterleavedBufferAttribute(both, 3, 3));
+    return both;
   }
 
   showUntil(time: number): void {

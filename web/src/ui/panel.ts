@@ -1,8 +1,10 @@
 // The controls and what each of them changes.
-import { firstProject, type Project } from "../project/project";
-import { baseRecipe, ofPreset } from "../project/recipe";
+import { baseRecipe } from "../project/base_recipe";
+import type { Project } from "../project/project";
+import { ofPreset } from "../project/recipe";
 import { parameter, presetTable } from "../project/tables";
 import { button, checkbox, combobox, element, radioGroup, type Choice } from "./elements";
+import { OpeningSliders } from "./opening_sliders";
 import { pictureOf } from "./preset_pictures";
 import { Slider } from "./slider";
 
@@ -53,15 +55,12 @@ const formats: Choice[] = [
 
 export class Panel {
   readonly root = element("div", { class: "panel" });
-  private shown = firstProject;
   private readonly presets;
   private readonly paintGroup;
   private readonly shape;
   readonly spacing;
   readonly load;
-  readonly gap;
-  readonly wall;
-  readonly curl;
+  private readonly opening;
   readonly growth;
   readonly brushSize;
   readonly brushStrength;
@@ -94,16 +93,14 @@ export class Panel {
       picture: pictureOf(value),
     }));
     this.presets = radioGroup("Preset", choices, (preset) =>
-      actions.change(ofPreset(this.shown, preset)),
+      actions.change(ofPreset(preset)),
     );
     this.shape = combobox("Shape", shapes, (specification) =>
       actions.change({ source: { kind: "shape", specification }, strokes: [], impacts: [] }),
     );
     this.spacing = slider("Spacing", "spacing", "layer.spacing", 1);
     this.load = slider("Load", "load", "evolution.max_load", 8);
-    this.gap = slider("Gap", "gap", "post.gap", 0.2);
-    this.wall = slider("Wall", "wall", "post.wall", 0.1);
-    this.curl = slider("Curl", "curl", "post.curl", 6);
+    this.opening = new OpeningSliders((change) => actions.change(change));
     this.growth = new Slider({
       name: "Growth",
       low: 0,
@@ -150,7 +147,7 @@ export class Panel {
       this.bar,
       this.error,
       group("Cracks", this.spacing.row, this.load.row),
-      group("Opening", this.gap.row, this.wall.row, this.curl.row),
+      group("Opening", ...this.opening.rows),
       group("Growth", this.growth.row, row(button("Play", actions.play))),
       this.paintGroup.group,
       group(
@@ -186,19 +183,16 @@ export class Panel {
 
   /** `diagonal`: of the input, which lengths go by; `spacing`: what holds where none is set. */
   show(project: Project, diagonal: number, canUndo: boolean, canRedo: boolean): void {
-    this.shown = project;
     const recipe = baseRecipe(project);
     this.presets.show(project.recipe ? "" : project.preset);
     if (project.source.kind === "shape") this.shape.select.value = project.source.specification;
     else this.shape.select.selectedIndex = -1;
     this.spacing.range(0.015 * diagonal, 0.3 * diagonal);
-    this.spacing.show(project.spacing ?? (recipe.layer.relative_spacing || 0.06) * diagonal);
+    const { spacing, relative_spacing: part } = recipe.layer;
+    this.spacing.show(project.spacing ?? (spacing || (part || 0.06) * diagonal));
     this.load.range(0, 8);
     this.load.show(project.load ?? recipe.evolution.max_load);
-    this.gap.show(project.gap);
-    this.wall.range(0, 0.06 * diagonal);
-    this.wall.show(project.wall);
-    this.curl.show(project.curl);
+    this.opening.show(project, diagonal);
     this.undoButton.disabled = !canUndo;
     this.redoButton.disabled = !canRedo;
   }

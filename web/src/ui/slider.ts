@@ -44,8 +44,16 @@ export class Slider {
     [this.low, this.high] = [low, high];
   }
 
-  /** Shows a value; one beyond the range widens it. */
-  show(value: number): void {
+  set disabled(disabled: boolean) {
+    this.input.disabled = disabled;
+  }
+
+  /** Shows a value; one beyond the range widens it. A text, which is no number here, is told. */
+  show(value: number | string): void {
+    if (typeof value === "string") {
+      this.input.value = "0";
+      return this.tell(value);
+    }
     this.low = Math.min(this.low, value);
     this.high = Math.max(this.high, value);
     const part = this.high > this.low ? (value - this.low) / (this.high - this.low) : 0;
@@ -53,8 +61,9 @@ export class Slider {
     this.tell(value);
   }
 
-  private tell(value: number): void {
-    this.output.textContent = String(rounded(value));
-    this.input.setAttribute("aria-valuetext", String(rounded(value)));
+  private tell(value: number | string): void {
+    const text = typeof value === "string" ? value : String(rounded(value));
+    this.output.textContent = text;
+    this.input.setAttribute("aria-valuetext", text);
   }
 }
