@@ -94,9 +94,15 @@ class SameBytes(unittest.TestCase):
             with self.subTest(preset=preset):
                 panel = bpy.context.scene.craze
                 panel.preset = preset
-                for name in ("gap", "wall", "curl"):
-                    own = table.PRESETS[preset]["post"][name]
-                    setattr(panel.keys, f"post_{name}", own)
+                for row in table.PARAMETERS:
+                    if row["key"] not in {"post.gap", "post.wall", "post.curl"}:
+                        continue
+                    own = table.PRESETS[preset]["post"][row["key"].removeprefix("post.")]
+                    setattr(
+                        panel.keys,
+                        table.property_name(row["key"]),
+                        panel_recipe.to_property(row, own),
+                    )
                 panel.keys.seed = 1
                 self.assertEqual(panel_recipe.recipe_of(panel, list), table.PRESETS[preset])
 

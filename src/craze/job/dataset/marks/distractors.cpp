@@ -1,8 +1,4 @@
-<<<<<<<< HEAD:src/craze/job/dataset/marks/distractors.cpp
 #include "craze/job/dataset/marks/distractors.h"
-========
-#include "craze/job/dataset/marks/distractors.h"
->>>>>>>> h/data:src/craze/job/dataset/marks/distractors.cpp
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +7,7 @@
 
 #include "craze/base/elementary.h"
 #include "craze/base/random.h"
-<<<<<<<< HEAD:src/craze/job/dataset/marks/distractors.cpp
 #include "craze/job/dataset/marks/strewn_things.h"
-========
-#include "craze/job/dataset/marks/strewn_things.h"
->>>>>>>> h/data:src/craze/job/dataset/marks/distractors.cpp
 
 namespace craze {
 

@@ -1,8 +1,4 @@
-<<<<<<<< HEAD:src/craze/job/dataset/marks/strewn_things.cpp
 #include "craze/job/dataset/marks/strewn_things.h"
-========
-#include "craze/job/dataset/marks/strewn_things.h"
->>>>>>>> h/data:src/craze/job/dataset/marks/strewn_things.cpp
 
 #include <algorithm>
 #include <array>
