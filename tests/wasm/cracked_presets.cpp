@@ -59,7 +59,7 @@ void crack_and_print(const std::string& shape, const craze::Preset& preset) {
   const std::chrono::duration<double> took = Clock::now() - begin;
 
   const craze::SurfaceMesh cut = craze::cut_mesh(result, context);
-  const craze::Opening opening(result, recipe.post, context);
+  const craze::Opening opening(result, result.report().recipe.post, context);
   Hash cut_hash, opened_hash;
   cut_hash.add(cut);
   opened_hash.add(opening.mesh());

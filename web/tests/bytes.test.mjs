@@ -78,6 +78,7 @@ const finished = {
   "thin late cracks of a mean opening": { lateWidth: 0.2, gap: 0.1, gapWidth: 0.004, wall: 0.01 },
   "solids": { thickness: 0.03, gap: 0.05 },
   "solids with rough lines": { thickness: 0.03, roughness: 0.05 },
+  "gaping solids with rough lines": { thickness: 0.03, roughness: 0.05, gap: 0.05 },
   "smooth lines where the preset's are rough": { preset: "drying-front", roughness: 0 },
 };
 for (const [name, change] of Object.entries(finished)) {

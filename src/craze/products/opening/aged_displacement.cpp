@@ -45,7 +45,7 @@ std::vector<Site> sites_with_cracks(const TriangleMesh& mesh, const CrackSites& 
 class SiteMover {
  public:
   SiteMover(const Site& site, const std::vector<Vec3>& displacement)
-      : site_(site), group_(site.vertices.size()) {
+      : group_(site.vertices.size()) {
     std::iota(group_.begin(), group_.end(), 0);
     for (const std::int32_t v : site.vertices) {
       mean_.push_back(displacement[v]);
@@ -75,7 +75,6 @@ class SiteMover {
   Vec3 moved(std::size_t k, double factor) const { return factor * mean_[group_[k]] + apart_[k]; }
 
  private:
-  const Site& site_;
   std::vector<std::size_t> group_;  // of each vertex
   std::vector<Vec3> mean_;          // of each group
   std::vector<double> count_;
