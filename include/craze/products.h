@@ -30,7 +30,7 @@ SurfaceMesh cut_mesh(const Result& result, const Context& context);
 /// and cheap to copy.
 class Opening {
  public:
-  /// Throws Error(request) for parameters that are negative or not finite, and Cancelled.
+  /// Lengths have no units (with_post). Throws Error(request): negative or not finite; Cancelled.
   Opening(const Result& result, const PostParameters& post, const Context& context);
 
   /// The vertices and faces of cut_mesh() come first, in its order, then those of side walls, whose
