@@ -218,20 +218,6 @@ craze_opening* craze_job_open(const craze_job* job, double gap, double wall, dou
   });
 }
 
-craze_opening* craze_job_open_solid(const craze_job* job, double gap, double curl, double thickness,
-                                    int32_t core, craze_error* error) {
-  return guarded(error, [&] {
-    if (!(thickness > 0)) wrong_argument("wrong thickness", "thickness", "must be more than 0");
-    const Result& result = result_of(job);
-    PostParameters post = unopened_post(result);
-    post.gap = gap;
-    post.curl = curl;
-    post.thickness = thickness;
-    post.core = core != 0;
-    return new_opening(job, result, post);
-  });
-}
-
 craze_opening* craze_job_open_post(craze_job* job, const char* text, craze_error* error) {
   return guarded(error, [&] {
     const Result& result = result_of(job);

@@ -73,14 +73,22 @@ def to_engine(matrix: Any, stretch: np.ndarray) -> Callable[[Any], list[float]]:
 
 def recipe_of(settings: Any, place: Callable[[Any], list[float]]) -> dict[str, Any]:
     """The panel's recipe: the preset's own numbers where nothing was changed, so that the same
-    bytes come out as from the command. Points of impacts are in the scene; `place` moves them."""
+    bytes come out as from the command, and what is changed takes back what says the same in another
+    way. Points of impacts are in the scene; `place` moves them."""
     recipe = copy.deepcopy(table.PRESETS[settings.preset])
-    for row in table.single():
+    single = {row["key"]: row for row in table.single()}
+    changed = []
+    for row in single.values():
         held = getattr(settings.keys, table.property_name(row["key"]))
         value = table.value_in(recipe, row["key"])
         value = row["default"] if value is None else value
         if not _same(row, held, value):
             table.put(recipe, row["key"], _from_property(row, held))
+            changed.append(row)
+    for row in changed:
+        other = single.get(row["instead_of"])
+        if other and other not in changed:
+            table.put(recipe, other["key"], other["default"])
     for section, rows in table.repeated().items():
         entries = getattr(settings.keys, section)
         old = recipe.get(section, [])

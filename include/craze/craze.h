@@ -264,15 +264,10 @@ CRAZE_API char* craze_statistics(const double* points, int64_t p, const int32_t*
  * edges lifted by `curl`. Nothing is cracked again. */
 CRAZE_API craze_opening* craze_job_open(const craze_job* job, double gap, double wall, double curl,
                                         craze_error* error);
-/* The same with each fragment a closed solid, `thickness` (length, more than 0) deep, instead of
- * walls: the parts of craze_mesh_fragments(). core not 0: what is left inside a closed surface is
- * one more. */
-CRAZE_API craze_opening* craze_job_open_solid(const craze_job* job, double gap, double curl,
-                                              double thickness, int32_t core, craze_error* error);
 /* The cut mesh opened as the recipe of the run says, and with the keys of its [post] in `text`,
- * TOML or JSON as of craze_job_set_recipe: {"post": {"gap": 0.1, "roughness": 0.01}}. gap_width
- * goes before gap, roughness before relative_roughness: a key that is to yield is set to 0. Nothing
- * is cracked again. The lines of the roughness last asked for are kept with the job. */
+ * TOML or JSON as of craze_job_set_recipe: {"post": {"gap": 0.1, "roughness": 0.01}}. With a
+ * thickness each fragment is a closed solid, one of the parts of craze_mesh_fragments(). Nothing is
+ * cracked again. The lines of the roughness last asked for are kept with the job. */
 CRAZE_API craze_opening* craze_job_open_post(craze_job* job, const char* text, craze_error* error);
 /* A finished job, as this one would be had its recipe had those keys: for its lines, maps,
  * statistics and report. Free with craze_job_free. */

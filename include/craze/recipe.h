@@ -76,9 +76,10 @@ struct Recipe {
 bool operator==(const Recipe& a, const Recipe& b);
 
 /// Sets what a TOML or JSON text gives and leaves the rest of `base` as it is; impacts given
-/// replace those of the base. `name` is the file named in errors. Unknown keys, wrong types, values
-/// out of range, text larger than 1 MiB or nested deeper than any recipe needs throw Error(usage)
-/// with the place.
+/// replace those of the base, and of gap and gap_width, or roughness and relative_roughness, one
+/// that is given alone replaces the other. `name` is the file named in errors. Unknown keys, wrong
+/// types, values out of range, text larger than 1 MiB or nested deeper than any recipe needs throw
+/// Error(usage) with the place.
 Recipe read_recipe(std::string_view text, const std::string& name, const Recipe& base = {});
 
 /// Reads a recipe from a file; Error(input) where it cannot be read.

@@ -267,10 +267,11 @@ static void maps_are_baked(craze_job* job) {
   EXPECT_ERROR(craze_job_bake(NULL, 32, NULL, 1, 0, 0, e), CRAZE_USAGE);
 }
 
-static void check_solids(const craze_job* job) {
+static void check_solids(craze_job* job) {
   double volume = 0, centre[3], inertia[9];
   craze_mesh *mesh, *hull;
-  craze_opening* opening = craze_job_open_solid(job, 0, 0, 0.01, 1, NULL);
+  craze_opening* opening =
+      craze_job_open_post(job, "[post]\ngap = 0\nthickness = 0.01\ncore = true", NULL);
   EXPECT(opening != NULL);
   mesh = craze_opening_mesh(opening, NULL);
   EXPECT(craze_mesh_mass(mesh, &volume, centre, inertia, NULL) == CRAZE_OK);
@@ -281,9 +282,9 @@ static void check_solids(const craze_job* job) {
   EXPECT_ERROR(craze_mesh_mass(mesh, NULL, NULL, NULL, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_mesh_mass(NULL, &volume, NULL, NULL, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_mesh_convex_hull(NULL, e), CRAZE_USAGE);
-  EXPECT_ERROR(craze_job_open_solid(job, 0, 0, 0, 0, e), CRAZE_USAGE);
-  EXPECT_ERROR(craze_job_open_solid(job, 0, 0, INFINITY, 0, e), CRAZE_REQUEST);
-  EXPECT_ERROR(craze_job_open_solid(NULL, 0, 0, 1, 0, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_open_post(job, "[post]\nthickness = -1", e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_open_post(job, "[post]\nthickness = inf", e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_open_post(NULL, "[post]\nthickness = 1", e), CRAZE_USAGE);
   craze_mesh_free(hull);
   craze_mesh_free(mesh);
   craze_opening_free(opening);

@@ -294,5 +294,32 @@ TEST(SetKey, NamesWhatItWasTold) {
   }
 }
 
+TEST(Recipe, WhatIsGivenTakesBackWhatSaysTheSameInAnotherWay) {
+  Recipe wide;
+  apply_set(wide, "post.gap_width=1%");
+  apply_set(wide, "post.relative_roughness=0.06");
+  const PostParameters by_text = read_recipe("[post]\ngap = 0\nroughness = 0.2", "text", wide).post;
+  EXPECT_EQ(by_text.gap, 0);
+  EXPECT_EQ(by_text.gap_width.number(), 0);
+  EXPECT_EQ(by_text.roughness.number(), 0.2);
+  EXPECT_EQ(by_text.relative_roughness, 0);
+}
+
+TEST(Recipe, BothWaysInOneTextAreLeftForTheCheckToRefuse) {
+  const Recipe both = read_recipe("[post]\ngap = 0.1\ngap_width = 0.2", "text");
+  EXPECT_EQ(both.post.gap, 0.1);
+  EXPECT_EQ(both.post.gap_width.number(), 0.2);
+}
+
+TEST(ParameterTable, WhatSaysTheSameInAnotherWayDoesSoBothWaysInOneSection) {
+  for (const Parameter& p : parameter_table()) {
+    if (p.instead_of.empty()) continue;
+    const Parameter* other = find_parameter(p.instead_of);
+    ASSERT_TRUE(other) << p.key;
+    EXPECT_EQ(other->instead_of, p.key);
+    EXPECT_EQ(other->section(), p.section());
+  }
+}
+
 }  // namespace
 }  // namespace craze

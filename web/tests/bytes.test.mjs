@@ -79,6 +79,7 @@ const finished = {
   "solids": { thickness: 0.03, gap: 0.05 },
   "solids with rough lines": { thickness: 0.03, roughness: 0.05 },
   "gaping solids with rough lines": { thickness: 0.03, roughness: 0.05, gap: 0.05 },
+  "a gap where the preset has a mean opening": { preset: "bark", gap: 0.05, wall: 0.01 },
   "smooth lines where the preset's are rough": { preset: "drying-front", roughness: 0 },
 };
 for (const [name, change] of Object.entries(finished)) {

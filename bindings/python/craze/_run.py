@@ -191,14 +191,6 @@ class Result:
                 raise Error(f"wrong {name} ({shown(value)}): must be finite", "request")
         if core is not None:
             post["core"] = bool(core)
-        if "gap" in post:
-            post.setdefault("gap_width", 0)
-        elif "gap_width" in post:
-            post["gap"] = 0
-        if "roughness" in post:
-            post.setdefault("relative_roughness", 0)
-        elif "relative_roughness" in post:
-            post["roughness"] = 0
         text = value_text("the opening", {"post": post})
         kept = self._opening
         if kept is None or kept[0] != text:

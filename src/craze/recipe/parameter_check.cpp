@@ -124,6 +124,7 @@ nlohmann::ordered_json parameters_to_json() {
     entry["unit"] = p.unit;
     entry["help"] = p.help;
     entry["source"] = p.source;
+    entry["instead_of"] = p.instead_of;
     entry["repeated"] = p.repeated();
     list.push_back(std::move(entry));
   }

@@ -131,6 +131,7 @@ struct Text {
   const char* unit = "";
   const char* source = "";
   std::vector<std::string> choices = {};
+  const char* instead_of = "";
 };
 
 /// Appends the parameters of one section. locate(recipe, index) is the struct that holds them.
@@ -151,6 +152,7 @@ class Section {
     p.unit = text.unit;
     p.help = text.help;
     p.source = text.source;
+    p.instead_of = text.instead_of;
     // The conversions need the words allowed only, so they carry a parameter without functions.
     const Parameter words = p;
     p.get = [words, field, locate = locate_](const Recipe& r, std::size_t index) {

@@ -301,12 +301,14 @@ std::vector<Parameter> make_table() {
       .add("gap", &PostParameters::gap, not_negative,
            {.help = "how far cracks open: scales the displacement",
             .symbol = "γ",
-            .source = "[IO06 Eq. 9]"})
+            .source = "[IO06 Eq. 9]",
+            .instead_of = "post.gap_width"})
       .add(
           "gap_width", &PostParameters::gap_width, not_negative,
           {.help = "instead of gap: how wide cracks open on average over their length, tapering to "
                    "their tips",
-           .unit = "length"})
+           .unit = "length",
+           .instead_of = "post.gap"})
       .add("wall", &PostParameters::wall, not_negative,
            {.help = "depth of the side walls of open cracks; 0: none",
             .unit = "length",
@@ -339,9 +341,11 @@ std::vector<Parameter> make_table() {
       .add("roughness", &PostParameters::roughness, not_negative,
            {.help = "how rough the cracks' own lines are, in the surface: rms difference over the "
                     "usual length of a crack between two junctions; 0: smooth",
-            .unit = "length"})
+            .unit = "length",
+            .instead_of = "post.relative_roughness"})
       .add("relative_roughness", &PostParameters::relative_roughness, not_negative,
-           {.help = "roughness as a part of that usual length, where roughness is 0"})
+           {.help = "roughness as a part of that usual length, where roughness is 0",
+            .instead_of = "post.roughness"})
       .add("roughness_exponent", &PostParameters::roughness_exponent, inside_share,
            {.help = "how roughness goes down with scale, as its power: near 1 soft bends, near 0 "
                     "fine teeth; broken materials have 0.75 to 0.8",

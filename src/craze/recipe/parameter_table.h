@@ -22,6 +22,9 @@ struct Parameter {
   std::string unit;                  ///< may be empty: a pure number
   std::string help;                  ///< one line
   std::string source;                ///< section or equation, may be empty
+  /// The key of the section that says the same in another way, may be empty. A text that gives one
+  /// of the two alone takes the other back.
+  std::string instead_of;
 
   /// The field in a recipe. `index` picks the impact for impact.* keys and is ignored otherwise.
   std::function<ParameterValue(const Recipe&, std::size_t index)> get;
@@ -50,7 +53,7 @@ void check_value(const Parameter& parameter, const ParameterValue& value, const 
                  const std::string& where);
 
 /// The table as a JSON array, for the bindings: key, section, name, type, default, minimum,
-/// maximum, exclusive_minimum, choices, units, symbol, unit, help, source, repeated.
+/// maximum, exclusive_minimum, choices, units, symbol, unit, help, source, instead_of, repeated.
 nlohmann::ordered_json parameters_to_json();
 
 }  // namespace craze

@@ -88,8 +88,13 @@ void set_leaf(Recipe& recipe, std::size_t index, const std::string& key, const t
 
 void read_section(Recipe& recipe, const std::string& section, const toml::table& table,
                   std::size_t index, const Locator& locate) {
-  for (const auto& [key, node] : table) {
-    set_leaf(recipe, index, section + "." + std::string(key.str()), node, locate);
+  for (const auto& [name, node] : table) {
+    const std::string key = section + "." + std::string(name.str());
+    set_leaf(recipe, index, key, node, locate);
+    const std::string& same = find_parameter(key)->instead_of;  // in the same section
+    if (same.empty() || table.contains(same.substr(section.size() + 1))) continue;
+    const Parameter& other = *find_parameter(same);
+    other.set(recipe, index, other.default_value());
   }
 }
 

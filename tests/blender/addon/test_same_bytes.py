@@ -106,6 +106,17 @@ class SameBytes(unittest.TestCase):
                 panel.keys.seed = 1
                 self.assertEqual(panel_recipe.recipe_of(panel, list), table.PRESETS[preset])
 
+    def test_what_is_changed_takes_back_what_says_the_same_in_another_way(self):
+        from craze_blender import panel_recipe
+
+        panel = bpy.context.scene.craze
+        panel.preset = "bark"
+        self.assertEqual(panel_recipe.recipe_of(panel, list)["post"]["gap_width"], "0.5%")
+        panel.keys.post_gap = 0.25
+        post = panel_recipe.recipe_of(panel, list)["post"]
+        self.assertEqual((post["gap"], post["gap_width"]), (0.25, 0))
+        panel.keys.post_gap = 0
+
 
 def write(path, mesh):
     """Triangles and UVs of a Blender mesh as the engine reads them."""

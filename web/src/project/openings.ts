@@ -24,10 +24,19 @@ export const noOpenings = Object.fromEntries(openingNames.map((name) => [name, n
 /** A number, or a length with its unit. */
 export type Value = number | string;
 
-/** What holds in a project; a gap yields to a mean opening. */
+const insteadOf: Partial<Record<OpeningName, OpeningName>> = { gap: "gapWidth", gapWidth: "gap" };
+
+/** What holds in a project: one way to say how far cracks open replaces the recipe's other one, and
+ * of two a mean opening holds. */
 export function openingOf(project: Project, name: OpeningName): Value {
-  if (name === "gap" && openingOf(project, "gapWidth") !== 0) return 0;
+  const other = insteadOf[name];
+  if (other && yields(project, name, other)) return 0;
   return project[name] ?? recipeValue(project, openingKeys[name]);
+}
+
+function yields(project: Project, name: OpeningName, other: OpeningName): boolean {
+  if (project[other] === null) return false;
+  return project[name] === null || (name === "gap" && project[other] !== 0);
 }
 
 /** Whether places move in the growth, or cracks only appear. */
@@ -35,27 +44,27 @@ export function isOpened(project: Project): boolean {
   return (["gap", "gapWidth", "curl"] as const).some((name) => openingOf(project, name) !== 0);
 }
 
-/** Names of [post] and what holds for them. */
-function postValues(project: Project): [string, Value][] {
-  const values = openingNames.map((name): [string, Value] => [
-    openingKeys[name],
-    openingOf(project, name),
-  ]);
-  // It goes before the relative one.
-  const roughness = project.roughness === null ? recipeValue(project, "roughness") : 0;
-  return [...values, ["roughness", roughness]];
+/** What the project sets of [post], by its names there. */
+function ownValues(project: Project): [string, number][] {
+  return openingNames
+    .filter((name) => project[name] !== null && openingOf(project, name) === project[name])
+    .map((name) => [openingKeys[name], project[name]!]);
 }
 
-/** The same as --set takes them, but for those that the recipe has so. */
+/** The same as --set takes them, which take nothing back by themselves. */
 export function postKeys(project: Project): [string, string][] {
-  return postValues(project)
-    .filter(([name, value]) => value !== recipeValue(project, name))
-    .map(([name, value]) => [`post.${name}`, String(value)]);
+  const own = ownValues(project);
+  const taken = own
+    .map(([name]) => parameter(`post.${name}`).instead_of.replace("post.", ""))
+    .filter((other) => other && !own.some(([name]) => name === other))
+    .filter((other) => recipeValue(project, other) !== 0)
+    .map((other): [string, number] => [other, 0]);
+  return [...own, ...taken].map(([name, value]) => [`post.${name}`, String(value)]);
 }
 
 /** For the engine to open a finished run by, as a recipe of [post] alone. */
 export function postText(project: Project): string {
-  return JSON.stringify({ post: Object.fromEntries(postValues(project)) });
+  return JSON.stringify({ post: Object.fromEntries(ownValues(project)) });
 }
 
 function recipeValue(project: Project, name: string): Value {

@@ -7,6 +7,7 @@ interface Parameter {
   key: string;
   help: string;
   default: unknown;
+  instead_of: string;
   minimum?: number;
 }
 

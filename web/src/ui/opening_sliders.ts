@@ -31,7 +31,7 @@ export class OpeningSliders {
         high: table[key].high,
         help: parameter(`post.${openingKeys[key]}`).help,
         // The last one moved of the two holds.
-        set: (value) => change({ [key]: value, ...(key === "gap" ? { gapWidth: 0 } : {}) }),
+        set: (value) => change({ [key]: value, ...(key === "gap" ? { gapWidth: null } : {}) }),
       });
     const made = openingNames.map((key) => [key, slider(key)]);
     this.sliders = Object.fromEntries(made) as typeof this.sliders;
