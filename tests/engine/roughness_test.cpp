@@ -22,22 +22,14 @@
 #include "craze/products.h"
 #include "craze/products/statistics/statistics.h"
 #include "craze/shapes.h"
+#include "mud_run.h"
 #include "recipe_with.h"
 
 namespace craze {
 namespace {
 
-const char* const plate = "plate?n=40&jitter=0.3";
-
-Result cracked(const std::string& shape, const std::vector<std::string>& settings,
-               int threads = 1) {
-  Recipe recipe = read_preset("mud");
-  recipe.simulation.layer.spacing = 0.14;
-  Context context;
-  context.threads = threads;
-  return crack({std::make_shared<SurfaceMesh>(make_shape(shape)), {}, shape},
-               recipe_with(settings, recipe), {}, context);
-}
+using test::mud_run;
+using test::plate;
 
 std::string number(double x) {
   return std::to_string(x);
@@ -211,7 +203,7 @@ TEST(Roughness, OfTheLinesHasTheExponentAskedForOverTwoDecades) {
     StructureFunction all(lags(0.001, 0.1));
     for (const int seed : {1, 2, 3, 4}) {
       // Tension along one axis: cracks from side to side, alongside each other.
-      const Result result = cracked(
+      const Result result = mud_run(
           plate, {"stress.uniform=0", "stress.tensor=[1, 0, 0, 0, 0, 0]", "layer.spacing=0.2",
                   "seed=" + std::to_string(seed), "post.roughness=" + number(amplitude),
                   "post.roughness_step=0.0003", "post.roughness_exponent=" + number(exponent)});
@@ -222,7 +214,7 @@ TEST(Roughness, OfTheLinesHasTheExponentAskedForOverTwoDecades) {
 }
 
 TEST(Roughness, IsAsMuchAsAskedForOverTheUsualLengthOfACrack) {
-  const Result smooth = cracked(plate, {});
+  const Result smooth = mud_run(plate, {});
   const CrackNetwork& network = smooth.state().network;
   const TriangleMesh& mesh = smooth.state().mesh();
   const double usual = usual_length(crack_chains(network));
@@ -254,20 +246,20 @@ TEST(Roughness, IsAsMuchAsAskedForOverTheUsualLengthOfACrack) {
 }
 
 TEST(Roughness, MakesTheCracksOfMudLongerThanTheirChords) {
-  const double smooth = tortuosity(cracked(plate, {}));
+  const double smooth = tortuosity(mud_run(plate, {}));
   const double rough =
-      tortuosity(cracked(plate, {"post.roughness=0.01", "post.roughness_step=0.0005"}));
+      tortuosity(mud_run(plate, {"post.roughness=0.01", "post.roughness_step=0.0005"}));
   EXPECT_LT(smooth, 1.01);
   EXPECT_GT(rough, 1.02);
   EXPECT_LT(rough, 1.2);
 }
 
 TEST(Roughness, RelativeToTheUsualLengthIsThatLength) {
-  const Result smooth = cracked(plate, {});
+  const Result smooth = mud_run(plate, {});
   const double usual = usual_length(crack_chains(crack_network(*smooth.state().simulation)));
-  const Result relative = cracked(plate, {"post.relative_roughness=0.06"});
+  const Result relative = mud_run(plate, {"post.relative_roughness=0.06"});
   EXPECT_NEAR(relative.report().recipe.post.roughness, 0.06 * usual, 1e-12);
-  const Result given = cracked(plate, {"post.relative_roughness=0.06", "post.roughness=0.001"});
+  const Result given = mud_run(plate, {"post.relative_roughness=0.06", "post.roughness=0.001"});
   EXPECT_EQ(given.report().recipe.post.roughness, 0.001);
 }
 
@@ -287,7 +279,7 @@ TEST(Roughness, OfMudIsSeenAndCostsFewerThanTwiceTheTriangles) {
 
 TEST(Roughness, TakesNoCrackIntoWhatIsClosed) {
   // Cracks run as near as they like to where none may be: nothing of them gets across.
-  const Result smooth = cracked(plate, {});
+  const Result smooth = mud_run(plate, {});
   const Simulation& simulation = *smooth.state().simulation;
   const CrackNetwork network = crack_network(simulation);
   const TriangleMesh& mesh = simulation.mesh();
@@ -326,9 +318,9 @@ TEST(Roughness, TakesNoCrackIntoWhatIsClosed) {
 
 TEST(Roughness, LeavesJunctionsTipsAndFragmentsAsTheyAre) {
   for (const char* const exponent : {"0.01", "0.3", "0.8", "0.99"}) {
-    const Result smooth = cracked(plate, {});
+    const Result smooth = mud_run(plate, {});
     const Result rough =
-        cracked(plate, {"post.roughness=0.01", std::string("post.roughness_exponent=") + exponent});
+        mud_run(plate, {"post.roughness=0.01", std::string("post.roughness_exponent=") + exponent});
     EXPECT_EQ(node_counts(rough), node_counts(smooth)) << exponent;
     EXPECT_EQ(rough.report().cracks.fragments, smooth.report().cracks.fragments) << exponent;
   }
@@ -338,7 +330,7 @@ TEST(Roughness, NeverMakesLinesCross) {
   for (const char* const amplitude : {"0.000000001", "0.002", "0.01", "0.05", "0.3", "1e6"}) {
     for (const char* const seed : {"1", "2", "3"}) {
       const Result rough =
-          cracked(plate, {std::string("post.roughness=") + amplitude, std::string("seed=") + seed});
+          mud_run(plate, {std::string("post.roughness=") + amplitude, std::string("seed=") + seed});
       EXPECT_EQ(crossings(crack_lines(rough)), 0) << amplitude;
       EXPECT_EQ(validate(rough.state().mesh()), std::vector<std::string>()) << amplitude;
       const SurfaceMesh flat = make_shape(plate);
@@ -350,9 +342,9 @@ TEST(Roughness, NeverMakesLinesCross) {
 
 TEST(Roughness, IsCutIntoTheAssetAndKeepsItsAreaAndItsPieces) {
   for (const char* const amplitude : {"0.005", "0.02", "1e6"}) {
-    const Result smooth = cracked("cup?n=40", {"layer.spacing=0.3"});
+    const Result smooth = mud_run("cup?n=40", {"layer.spacing=0.3"});
     const Result rough =
-        cracked("cup?n=40", {"layer.spacing=0.3", std::string("post.roughness=") + amplitude});
+        mud_run("cup?n=40", {"layer.spacing=0.3", std::string("post.roughness=") + amplitude});
     const SurfaceMesh cup = make_shape("cup?n=40");
     const TriangleMesh& mesh = rough.state().mesh();
     EXPECT_EQ(validate(mesh), std::vector<std::string>());
@@ -365,7 +357,7 @@ TEST(Roughness, IsCutIntoTheAssetAndKeepsItsAreaAndItsPieces) {
 }
 
 TEST(Roughness, GoesIntoTheSimulationsMeshWhereThatIsTheOutput) {
-  const Result rough = cracked("cup?n=24", {"layer.spacing=0.3", "mesh.output=simulation",
+  const Result rough = mud_run("cup?n=24", {"layer.spacing=0.3", "mesh.output=simulation",
                                             "post.roughness=0.01", "post.roughness_step=0.002"});
   const SurfaceMesh& grown = *rough.state().surface;
   const double area = TriangleMesh(grown.positions, grown.triangles).total_area();
@@ -382,23 +374,23 @@ TEST(Roughness, IsTheSameOnAnyNumberOfThreadsAndWhateverElseIsDoneAfterwards) {
       flat.insert(flat.end(), p.data(), p.data() + 3);
     return flat;
   };
-  const std::vector<double> one = points(cracked(plate, {"post.roughness=0.01"}));
-  EXPECT_EQ(points(cracked(plate, {"post.roughness=0.01"}, 4)), one);
-  EXPECT_EQ(points(cracked(plate, {"post.roughness=0.01", "post.gap=3", "post.wall=0.1"})), one);
-  EXPECT_NE(points(cracked(plate, {"post.roughness=0.01", "seed=99"})), one);
+  const std::vector<double> one = points(mud_run(plate, {"post.roughness=0.01"}));
+  EXPECT_EQ(points(mud_run(plate, {"post.roughness=0.01"}, 4)), one);
+  EXPECT_EQ(points(mud_run(plate, {"post.roughness=0.01", "post.gap=3", "post.wall=0.1"})), one);
+  EXPECT_NE(points(mud_run(plate, {"post.roughness=0.01", "seed=99"})), one);
 }
 
 TEST(Roughness, OfZeroLeavesTheRunAsItIs) {
-  const Result smooth = cracked(plate, {});
+  const Result smooth = mud_run(plate, {});
   const Result zero =
-      cracked(plate, {"post.roughness=0", "post.roughness_exponent=0.3", "post.roughness_step=1"});
+      mud_run(plate, {"post.roughness=0", "post.roughness_exponent=0.3", "post.roughness_step=1"});
   EXPECT_EQ(smooth.state().mesh().triangles(), zero.state().mesh().triangles());
   EXPECT_EQ(smooth.state().mesh().positions(), zero.state().mesh().positions());
 }
 
 TEST(Roughness, KeepsTheOpeningOfTheCrackThatItWas) {
-  const Result smooth = cracked(plate, {"post.gap_width=0.004"});
-  const Result rough = cracked(plate, {"post.gap_width=0.004", "post.roughness=0.005"});
+  const Result smooth = mud_run(plate, {"post.gap_width=0.004"});
+  const Result rough = mud_run(plate, {"post.gap_width=0.004", "post.roughness=0.005"});
   const auto mean_width = [](const Result& result) {
     const CrackNetwork& network = result.state().network;
     double sum = 0;
@@ -421,101 +413,22 @@ TEST(Roughness, KeepsTheOpeningOfTheCrackThatItWas) {
 TEST(Roughness, LeavesRoomForTheGapThatTheSmoothCracksHave) {
   const std::vector<std::string> gap = {"layer.spacing=0.25", "post.gap_width=0.02",
                                         "post.wall=0.02", "post.roughness=0.006"};
-  const Result rough = cracked(plate, gap);
+  const Result rough = mud_run(plate, gap);
   const Opening opening(rough, rough.report().recipe.post, {});
   EXPECT_EQ(opening.warnings(), std::vector<std::string>());
 }
 
 TEST(Roughness, HasBoundedWorkWhateverIsAskedFor) {
-  const Result rough = cracked(plate, {"post.roughness=0.01", "post.roughness_step=0.0000000001"});
+  const Result rough = mud_run(plate, {"post.roughness=0.01", "post.roughness_step=0.0000000001"});
   EXPECT_LE(rough.state().network.edges.size(), 4 * 262144u);
   ASSERT_FALSE(rough.report().warnings.empty());
   EXPECT_NE(rough.report().warnings.front().find("post.roughness_step"), std::string::npos);
 }
 
 TEST(Roughness, HeldBackBetweenCracksIsToldOf) {
-  const Result rough = cracked(plate, {"post.roughness=1000"});
+  const Result rough = mud_run(plate, {"post.roughness=1000"});
   ASSERT_FALSE(rough.report().warnings.empty());
   EXPECT_NE(rough.report().warnings.front().find("post.roughness"), std::string::npos);
-}
-
-/// All that a result and its opening hold, as text.
-std::string all_of(const Result& result) {
-  Report report = result.report();
-  report.time = {};
-  std::string all = statistics_json(result);
-  for (const std::string& warning : report.warnings) all += warning;
-  all += write_recipe(report.recipe);
-  const auto add = [&all](const auto& values) {
-    all.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
-  };
-  const LineSet lines = crack_lines(result);
-  add(lines.points);
-  add(lines.edges);
-  const Opening opening(result, report.recipe.post, {});
-  const SurfaceMesh& mesh = opening.mesh();
-  add(mesh.positions);
-  add(mesh.triangles);
-  for (const Attribute& a : mesh.vertex_attributes) add(a.values);
-  add(mesh.corner_uvs);
-  add(opening.origin().face);
-  add(opening.origin().weights);
-  for (const auto x : {report.output.vertices, report.output.triangles, report.cracks.fragments,
-                       report.carried.split_triangles, report.carried.added_triangles,
-                       report.carried.lost_pieces}) {
-    all += std::to_string(x) + ",";
-  }
-  return all + number(report.cracks.length);
-}
-
-TEST(WithPost, IsWhatARunWithItIsToTheByte) {
-  // On its own triangles, on a finer mesh, on a scan, and on the mesh of the simulation.
-  const std::vector<std::vector<std::string>> runs = {
-      {plate, "mesh.edge=keep"},
-      {"cup?n=40", "layer.spacing=0.4"},
-      {"cup?n=90", "layer.spacing=0.9", "evolution.max_cracks=12"},
-      {"cup?n=24", "layer.spacing=0.4", "mesh.output=simulation"}};
-  const std::vector<std::vector<std::string>> posts = {
-      {"post.roughness=1%", "post.gap_width=0.3%"},
-      {"post.relative_roughness=0.06", "post.roughness_exponent=0.6", "post.gap=0.05"},
-      {"post.wall=0.01", "post.gap_width=0.005", "post.late_width=0.4"}};
-  for (const std::vector<std::string>& run : runs) {
-    const auto run_with = [&](const std::vector<std::string>& post) {
-      std::vector<std::string> settings(run.begin() + 1, run.end());
-      settings.insert(settings.end(), post.begin(), post.end());
-      return cracked(run[0], settings);
-    };
-    std::vector<Result> fresh;
-    std::vector<std::string> bytes;
-    for (const std::vector<std::string>& post : posts) {
-      fresh.push_back(run_with(post));
-      bytes.push_back(all_of(fresh.back()));
-    }
-    EXPECT_NE(bytes[0], bytes[1]);
-    const bool is_scan = run[0] == "cup?n=90";
-    EXPECT_EQ(smooth_asset(*fresh[0].state().surface, fresh[0].report().recipe).empty(), !is_scan);
-    for (std::size_t from = 0; from < posts.size(); ++from) {
-      for (std::size_t to = 0; to < posts.size(); ++to) {
-        PostParameters post = recipe_with(posts[to], read_preset("mud")).post;
-        const Result changed = with_post(fresh[from], post, {});
-        EXPECT_EQ(all_of(changed) == bytes[to], true) << run[0] << " " << from << " → " << to;
-        EXPECT_EQ(changed.state().simulation, fresh[from].state().simulation);
-        EXPECT_EQ(changed.state().surface, fresh[from].state().surface);
-        EXPECT_EQ(&changed.state() == &fresh[from].state(), from == to);
-        EXPECT_EQ(&with_post(fresh[from], post, {}, &changed).state(), &changed.state());
-      }
-    }
-  }
-}
-
-TEST(WithPost, RefusesWhatARunRefuses) {
-  const Result result = cracked(plate, {"evolution.max_cracks=3"});
-  PostParameters post;
-  post.gap = 0.1;
-  post.gap_width = 0.1;
-  EXPECT_THROW(with_post(result, post, {}), Error);
-  post = recipe_with({"post.roughness=2mm"}).post;
-  EXPECT_THROW(with_post(result, post, {}), Error);  // the unit is not known
 }
 
 TEST(Roughness, KeepsOffWhatIsPaintedZeroOnTheInputsOwnTriangles) {
