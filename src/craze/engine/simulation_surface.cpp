@@ -86,6 +86,12 @@ std::vector<Vec3> without_bumps(const SurfaceMesh& surface, double width) {
   return now;
 }
 
+/// What the simulation's mesh is made from; empty: the surface itself.
+std::vector<Vec3> smooth_positions(const SurfaceMesh& surface, const RemeshOptions& options) {
+  if (!(options.max_distance > 0)) return {};
+  return without_bumps(surface, options.target_edge);
+}
+
 /// #F, 1 for marked faces and those that share a vertex with one: a face of the finer mesh takes
 /// its mark from where its middle is, and may reach over.
 std::vector<std::uint8_t> touching_faces(const SurfaceMesh& mesh,
@@ -115,9 +121,7 @@ double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>
 }
 
 std::vector<Vec3> smooth_asset(const SurfaceMesh& asset, const Recipe& recipe) {
-  const RemeshOptions options = remesh_options(asset, {}, recipe);
-  if (!(options.max_distance > 0)) return {};
-  return without_bumps(asset, options.target_edge);
+  return smooth_positions(asset, remesh_options(asset, {}, recipe));
 }
 
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
@@ -140,10 +144,8 @@ SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
   const std::vector<std::int32_t> source_faces = std::exchange(repaired.source_faces, {});
   SimulationSurface surface;
   surface.period = period;
-  std::vector<Vec3> positions;
-  if (options.max_distance > 0) {
-    positions = std::exchange(repaired.positions, without_bumps(repaired, options.target_edge));
-  }
+  std::vector<Vec3> positions = smooth_positions(repaired, options);
+  if (!positions.empty()) positions.swap(repaired.positions);
   surface.mesh = remesh(repaired, options, context);
   if (!positions.empty()) {
     surface.smooth = std::exchange(repaired.positions, std::move(positions));

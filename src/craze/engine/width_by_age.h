@@ -10,6 +10,11 @@ namespace craze {
 class WidthByAge {
  public:
   explicit WidthByAge(double late) : late_(late) {}
+  /// Of cracks whose first and last time are known.
+  WidthByAge(double late, double first, double last) : late_(late) {
+    add(first);
+    add(last);
+  }
 
   /// Every crack's time comes here first.
   void add(double time) {

@@ -8,13 +8,13 @@ namespace craze {
 render::CrackLines picture_lines(const OpenedSurface& shown, const Result& result, double reach,
                                  const Context& context) {
   const TriangleMesh& mesh = shown.base(result);
-  render::CrackLines lines = render::crack_lines(mesh, crack_sides(mesh), reach, context);
+  const std::vector<std::int32_t> sides = crack_sides(mesh);
+  render::CrackLines lines = render::crack_lines(mesh, sides, reach, context);
   if (shown.shut) {
     const CrackedSurface& state = result.state();
     const WidthByAge by_age =
         width_by_age(result.report().recipe.post.late_width, state.network.edges);
     if (!by_age.all_alike()) {
-      const std::vector<std::int32_t> sides = crack_sides(mesh);
       const std::vector<double> times = state.crack_times();
       std::vector<std::array<float, 2>> width;
       for (const std::int32_t side : sides) {

@@ -45,9 +45,7 @@ const std::vector<MapKind>& CrackPictures::maps() {
 
 void CrackPictures::begin(const std::vector<MapHeader>& headers) {
   size_ = headers[0].size;
-  tone_ = WidthByAge(stain_.late);
-  tone_.add(headers[3].low[0]);
-  tone_.add(headers[3].high[0]);
+  tone_ = {stain_.late, headers[3].low[0], headers[3].high[0]};
   const int channels = own_.base_color.image.channels;
   cracked_.base_color.image = empty_picture(size_, channels == 2 || channels == 4 ? 4 : 3);
   cracked_.normal.image = empty_picture(size_, 3);

@@ -67,9 +67,7 @@ void MaterialMaps::begin(const std::vector<MapHeader>& headers) {
   size_ = headers[0].size;
   if (contains(asked_, MapKind::base_color)) {
     const MapHeader& time = headers[place_of(MapKind::time)];
-    tone_ = WidthByAge(material_.late);
-    tone_.add(time.low[0]);
-    tone_.add(time.high[0]);
+    tone_ = {material_.late, time.low[0], time.high[0]};
   }
   std::vector<MapHeader> own;
   for (const MapKind kind : asked_) {

@@ -1,7 +1,8 @@
 #include "craze/job/dataset/labels/crack_strips.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "craze/base/segment_distance.h"
 
 namespace craze {
 
@@ -29,30 +30,25 @@ NearestStrip CrackStrips::nearest(std::int32_t face, const Vec3& point, bool kep
     const auto line = first + static_cast<std::int32_t>(k);
     const std::int32_t crack = scene_.crack_of_line[line];
     if (crack < 0 || (kept_only && !noise_.dropped.empty() && noise_.dropped[crack])) continue;
-    const Vec3 along = near[k].b - near[k].a, off = point - near[k].a;
-    const double squared = along.squaredNorm();
-    const double t = squared > 0 ? std::clamp(off.dot(along) / squared, 0.0, 1.0) : 0;
+    const double t = nearest_on_segment(point, near[k].a, near[k].b);
     const double half = half_width(line, t);
     if (half <= 0) continue;
-    const double outside = (off - t * along).norm() - half;
+    const double outside = (near[k].a + t * (near[k].b - near[k].a) - point).norm() - half;
     if (outside < nearest.outside) nearest = {outside, line, t};
   }
   return nearest;
 }
 
 double CrackStrips::distance(std::int32_t face, const Vec3& point, double limit) const {
-  double squared = limit * limit;
+  double least = limit;
   const NearbyCracks& cracks = scene_.lines.cracks;
   const std::size_t first = cracks.first.empty() ? 0 : cracks.first[face];
   const auto near = cracks.of(face);
   for (std::size_t k = 0; k < near.size(); ++k) {
     if (scene_.crack_of_line[first + k] < 0) continue;
-    const Vec3 along = near[k].b - near[k].a, off = point - near[k].a;
-    const double length = along.squaredNorm();
-    const double t = length > 0 ? std::clamp(off.dot(along) / length, 0.0, 1.0) : 0;
-    squared = std::min(squared, (off - t * along).squaredNorm());
+    least = std::min(least, point_segment_distance(point, near[k].a, near[k].b));
   }
-  return std::sqrt(squared);
+  return least;
 }
 
 double CrackStrips::half_width(std::int32_t line, double t) const {
