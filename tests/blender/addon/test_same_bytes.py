@@ -111,6 +111,7 @@ class SameBytes(unittest.TestCase):
 
         panel = bpy.context.scene.craze
         panel.preset = "bark"
+        panel.keys.post_gap = 0  # other presets keep what was theirs
         self.assertEqual(panel_recipe.recipe_of(panel, list)["post"]["gap_width"], "0.5%")
         panel.keys.post_gap = 0.25
         post = panel_recipe.recipe_of(panel, list)["post"]
