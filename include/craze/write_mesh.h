@@ -31,8 +31,9 @@ struct MeshFileOptions {
   std::optional<Collider> solids = {};
   /// GLB and USDA; null: nothing moves.
   const MorphAnimation* animation = nullptr;
-  /// USDA: how materials look, one per material of the mesh, and of texture files the paths that
-  /// are to be written; null: plain.
+  /// USDA, and OBJ without a library: how materials look, one per material of the mesh, and of
+  /// picture files the paths that are to be written; write_mesh() writes pictures in memory beside
+  /// the mesh, as NAME_1.png and so on. Null: plain.
   const std::vector<MaterialLook>* looks = nullptr;
   UpAxis up = UpAxis::automatic;  ///< USDA, which knows y and z; y where automatic
   double metres_per_unit = 0;     ///< USDA, of a mesh that does not say; 0: 1

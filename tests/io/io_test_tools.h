@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "craze/error.h"
@@ -19,6 +21,12 @@ namespace craze {
 template <class Run>
 std::string message_of(Run run, ErrorKind kind = ErrorKind::input) {
   return error_of(run, kind);
+}
+
+inline std::string read_text(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
 }
 
 /// A file's bytes through one reader, whatever its name.

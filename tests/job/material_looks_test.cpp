@@ -24,11 +24,11 @@ TEST(MaterialLooks, TexturesAreFoundBesideTheInput) {
   const TemporaryFolder folder;
   write_color(folder / "red.png", 255, 0, 0);
   MaterialLook look;
-  look.texture_file = "red.png";
+  look.base_picture.file = "red.png";
   std::vector<std::string> said;
   const auto looks = shown({look, look}, (folder / "a.ply").string(), said);
   ASSERT_EQ(looks.size(), 2u);
-  EXPECT_EQ(looks[0].texture, looks[1].texture) << "decoded once";
+  EXPECT_EQ(looks[0].picture.texture, looks[1].picture.texture) << "decoded once";
   EXPECT_LT((looks[0].at({0, 0}).color - render::Rgb(1, 0, 0)).abs().maxCoeff(), 1e-6);
   EXPECT_TRUE(said.empty());
 }
@@ -36,15 +36,15 @@ TEST(MaterialLooks, TexturesAreFoundBesideTheInput) {
 TEST(MaterialLooks, WhatCannotBeShownIsSaidOnce) {
   const TemporaryFolder folder;
   MaterialLook missing;
-  missing.texture_file = "missing.png";
+  missing.base_picture.file = "missing.png";
   MaterialLook broken;
-  broken.texture = std::make_shared<const std::string>("no picture");
+  broken.base_picture.bytes = std::make_shared<const std::string>("no picture");
   broken.base_color = {0.5f, 0.25f, 0, 1};
   std::vector<std::string> said;
   const auto looks = shown({missing, missing, broken}, (folder / "a.glb").string(), said);
   ASSERT_EQ(looks.size(), 3u);
   EXPECT_EQ(said.size(), 2u);
-  EXPECT_FALSE(looks[2].texture);
+  EXPECT_FALSE(looks[2].picture);
   EXPECT_EQ(looks[2].color[1], 0.25f);
 }
 
@@ -70,10 +70,10 @@ TEST(MaterialLooks, FilesAreNamedFromTheOutput) {
   std::filesystem::create_directories(folder / "in/maps");
   std::filesystem::create_directories(folder / "out");
   MaterialLook look;
-  look.texture_file = "maps/a.png";
+  look.base_picture.file = "maps/a.png";
   const auto seen =
       looks_from({look}, (folder / "in/a.gltf").string(), (folder / "out/b.usda").string());
-  EXPECT_EQ(seen[0].texture_file, "../in/maps/a.png");
+  EXPECT_EQ(seen[0].base_picture.file, "../in/maps/a.png");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "craze/render/material/look.h"
+#include "craze/render/material/surface.h"
 
 #include <gtest/gtest.h>
 
@@ -47,8 +48,8 @@ TEST(Look, TheFactorMultipliesTheTextureWhereItIsPlaced) {
   Look look;
   look.color = {0.5f, 0.25f, 1};
   expect_color(look.at({0, 0}).color, look.color);
-  look.texture = std::make_shared<const ColorTexture>(four_colors());
-  look.place << 1, 0, 0.5f, 0, 1, 0;
+  look.picture.texture = std::make_shared<const ColorTexture>(four_colors());
+  look.picture.place << 1, 0, 0.5f, 0, 1, 0;
   expect_color(look.at({0.25f, 0.25f}).color, look.color);  // white
   expect_color(look.at({0.25f, 0.75f}).color, {0, 0.25f, 0});
 }
@@ -60,7 +61,7 @@ TEST(Look, AlphaCoversAsItsModeSays) {
   image.values = std::vector<std::uint8_t>{255, 255, 255, 51};  // a fifth
   Look look;
   look.opacity = 0.5f;
-  look.texture = std::make_shared<const ColorTexture>(image);
+  look.picture.texture = std::make_shared<const ColorTexture>(image);
   EXPECT_EQ(look.at({0, 0}).cover, 1);
   EXPECT_FALSE(look.is_see_through());
   look.alpha = Look::Alpha::blended;
@@ -70,9 +71,67 @@ TEST(Look, AlphaCoversAsItsModeSays) {
   EXPECT_EQ(look.at({0, 0}).cover, 0);
   look.cutoff = 0.1f - 1e-6f;
   EXPECT_EQ(look.at({0, 0}).cover, 1);
-  look.texture = nullptr;
+  look.picture.texture = nullptr;
   look.cutoff = 0.5f;
   EXPECT_FALSE(look.is_see_through()) << "as much as the cutoff is enough";
+}
+
+PlacedTexture one_pixel(std::vector<std::uint8_t> rgb) {
+  craze::Image image;
+  image.width = image.height = 1;
+  image.channels = 3;
+  image.values = std::move(rgb);
+  return {std::make_shared<const ColorTexture>(image, Encoding::linear)};
+}
+
+TEST(Look, APictureOfWhatIsTransmittedCountsByItsRed) {
+  Look look;
+  look.transmission = 0.5f;
+  look.transmission_picture = one_pixel({51, 255, 255});
+  EXPECT_FLOAT_EQ(look.at({0, 0}).transmission, 0.1f);
+  EXPECT_EQ(look.at_factor().transmission, 0.5f);
+}
+
+TEST(Look, NormalPicturesLeanBySlopesTimesTheirStrength) {
+  Look look;
+  EXPECT_EQ(look.tangent_normal({0, 0}), Vec3f::UnitZ());
+  look.normals = one_pixel({255, 128, 255});
+  EXPECT_NEAR(look.tangent_normal({0, 0}).x(), std::sqrt(0.5), 1e-5);
+  look.normal_strength = 0;
+  EXPECT_NEAR(look.tangent_normal({0, 0}).z(), 1, 1e-6);
+  look.normals = one_pixel({255, 128, 0});  // from below
+  EXPECT_EQ(look.tangent_normal({0, 0}), Vec3f::UnitZ());
+}
+
+/// The normal of a triangle in the x-y plane whose corners have these UVs, seen from above or
+/// below, with a picture that leans along u and a little along v.
+Vec3f leaning(const std::vector<Eigen::Vector2f>& uvs, bool from_below) {
+  TracedModel model;
+  model.positions = model.places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  model.triangles = {{0, 1, 2}};
+  model.normals.assign(3, Vec3f::UnitZ());
+  model.is_wall = {0};
+  model.looks.emplace_back();
+  model.looks[0].normals = one_pixel({204, 153, 230});  // 0.6, 0.2, 0.8
+  model.uvs = uvs;
+  const float side = from_below ? -1.0f : 1.0f;
+  Material material = find_material("plaster");
+  return surface_at(model, material, Ray{{0.2f, 0.2f, side}, {0, 0, -side}}, Hit{0, 1, 0.2f, 0.2f},
+                    0.01f)
+      .normal;
+}
+
+TEST(Look, NormalPicturesLeanAlongTheirUvs) {
+  const Vec3f expected = Vec3f(0.6f, 0.2f, 0.804f).normalized();
+  const auto expect_normal = [&](const Vec3f& seen, float x, float y, float z) {
+    EXPECT_LT((seen - Vec3f(x, y, z)).norm(), 2e-3) << seen.transpose();
+  };
+  const float u = expected.x(), v = expected.y(), n = expected.z();
+  expect_normal(leaning({{0, 0}, {1, 0}, {0, 1}}, false), u, v, n);
+  expect_normal(leaning({{0, 0}, {1, 0}, {0, 1}}, true), -u, -v, -n);
+  expect_normal(leaning({{0, 0}, {0, 1}, {-1, 0}}, false), v, -u, n);  // turned
+  expect_normal(leaning({{0, 0}, {-1, 0}, {0, 1}}, false), -u, v, n);  // mirrored
+  expect_normal(leaning({{0, 0}, {0, 0}, {0, 0}}, false), 0, 0, 1);    // nowhere
 }
 
 /// Two squares side by side, seen from straight above.
@@ -105,7 +164,7 @@ struct TwoSquares {
 TEST(Look, PicturesShowIt) {
   TwoSquares squares;
   Look look;
-  look.texture = std::make_shared<const ColorTexture>(four_colors());
+  look.picture.texture = std::make_shared<const ColorTexture>(four_colors());
   squares.options.looks = {look};
   const auto red = squares.pixel(15, 13), blue = squares.pixel(15, 27);
   EXPECT_GT(red[0], red[2] + 80);
@@ -115,7 +174,7 @@ TEST(Look, PicturesShowIt) {
 TEST(Look, WallsAndMaterialsBeyondKeepThePicturesOwn) {
   TwoSquares squares;
   const auto plain = squares.pixel(60, 20);
-  squares.options.looks = {Look{{1, 0, 0}, nullptr, {}}};
+  squares.options.looks = {Look{{1, 0, 0}}};
   const auto wall = squares.pixel(60, 20);
   EXPECT_NEAR(wall[1], plain[1], 8) << "but for light that the other square throws";
   squares.mesh.face_materials = {-1, -1, -1, -1};
@@ -140,7 +199,7 @@ struct PaneOverFloor {
     add_square(0, 1, 0, 0);
     for (int i = 1; i <= panes; ++i) add_square(0.2, 0.8, 0.05 * i, 1);
     mesh.material_names = {"floor", "pane"};
-    options.looks = {Look{{0.7f, 0.05f, 0.05f}, nullptr, {}}, pane};
+    options.looks = {Look{{0.7f, 0.05f, 0.05f}}, pane};
     options.view.elevation = 90;
     options.view.up = UpAxis::z;
     options.width = options.height = 60;

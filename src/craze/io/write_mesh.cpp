@@ -8,6 +8,7 @@
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/files/extension.h"
+#include "craze/io/files/look_pictures.h"
 #include "craze/io/gltf/gltf.h"
 #include "craze/io/mesh_formats.h"
 #include "craze/io/obj/looks_library.h"
@@ -60,6 +61,9 @@ void check_options(const MeshFormat* format, const std::string& where, bool obje
 std::vector<std::string> kept_kinds(const MeshFormat& format, bool has_own_objects) {
   std::vector<std::string> kept;
   if (format.name == "ply") kept = {"comments"};
+  if (format.name == "usda") {
+    kept = {"materials", "textures", "images", "material libraries", "pictures of base colours"};
+  }
   if (format.name == "obj" || format.name == "glb") {
     kept = {"materials", "textures", "images", "material libraries", "pictures of base colours"};
     if (!has_own_objects) kept.emplace_back("objects and groups");
@@ -89,9 +93,15 @@ void warn_of_lost(const MeshFormat& format, const SurfaceMesh& mesh,
   const bool simplifies = std::any_of(contents.begin(), contents.end(), [](const auto& content) {
     return content.kind == "materials";
   });
-  if (format.name == "obj" && simplifies) {
-    lost += lost.empty() ? "not kept of the input, since .obj has no place for it: " : ", ";
-    lost += "what materials have besides a base colour and its texture";
+  if (simplifies && (format.name == "obj" || format.name == "usda")) {
+    if (lost.empty())
+      lost = "not kept of the input, since " + target + " has no place for it: ";
+    else
+      lost += ", ";
+    lost += "what materials have besides ";
+    lost += format.name == "obj" ? "a base colour and its texture"
+                                 : "colour, metalness, roughness, normals, occlusion, emission and "
+                                   "opacity with their textures at the first UVs";
   }
   if (!lost.empty()) options.warn(lost);
 }
@@ -126,17 +136,20 @@ void write_mesh(const std::filesystem::path& path, const SurfaceMesh& mesh,
     library = library_beside(path, *obj, mesh);
     own.material_library = library.names;
   }
-  LooksLibrary looks;
+  LookPictures pictures(path);
+  std::vector<MaterialLook> looks;
   if (!obj && extension == ".obj" && options.looks && options.material_library.empty()) {
-    looks = looks_library(path, mesh, *options.looks);
-    own.material_library = looks.file.filename().string();
-    library.file = looks.file;
-    library.text = looks.text;
+    const LooksLibrary of_looks = looks_library(path, mesh, *options.looks, pictures);
+    own.material_library = of_looks.file.filename().string();
+    library.file = of_looks.file;
+    library.text = of_looks.text;
+  }
+  if (extension == ".usda" && options.looks) {
+    looks = looks_with_files(*options.looks, pictures);
+    own.looks = &looks;
   }
   const std::string bytes = format_as(mesh, extension, path.string(), own, context);
-  for (const auto& [file, picture] : looks.pictures) {
-    write_file(file, *picture, "cannot write a texture", context);
-  }
+  pictures.write(context);
   if (!library.file.empty()) {
     write_file(library.file, library.text, "cannot write the materials", context);
   }

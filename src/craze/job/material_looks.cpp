@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <tuple>
 
 #include "craze/error.h"
 #include "craze/io/files/sibling_files.h"
@@ -14,14 +15,10 @@ namespace craze {
 
 namespace {
 
-bool has_texture(const MaterialLook& look) {
-  return look.texture || !look.texture_file.empty();
-}
-
 bool says_something(const MaterialLook& look) {
   const Color& c = look.base_color;
-  return has_texture(look) || c[0] != c[1] || c[1] != c[2] || look.transmission > 0 ||
-         look.alpha != MaterialLook::Alpha::ignored;
+  return look.base_picture || look.normal_picture || c[0] != c[1] || c[1] != c[2] ||
+         look.transmission > 0 || look.alpha != MaterialLook::Alpha::ignored;
 }
 
 class TextureReader {
@@ -30,13 +27,20 @@ class TextureReader {
                 const Context& context)
       : input_(input), warnings_(warnings), context_(context) {}
 
-  std::shared_ptr<const render::ColorTexture> of(const MaterialLook& look) {
-    if (!has_texture(look)) return nullptr;
-    const auto [found, is_new] = known_.try_emplace({look.texture.get(), look.texture_file});
+  render::PlacedTexture of(const LookPicture& picture, render::Encoding encoding) {
+    return {texture(picture, encoding), picture.place.cast<float>()};
+  }
+
+ private:
+  using Texture = std::shared_ptr<const render::ColorTexture>;
+
+  Texture texture(const LookPicture& picture, render::Encoding encoding) {
+    if (!picture) return nullptr;
+    const auto [found, is_new] = known_.try_emplace({picture.bytes.get(), picture.file, encoding});
     if (is_new) {
       context_.check();
       try {
-        found->second = std::make_shared<const render::ColorTexture>(read(look));
+        found->second = std::make_shared<const render::ColorTexture>(read(picture), encoding);
       } catch (const Error& e) {
         warnings_.push_back(fmt::format("a texture is not shown in pictures: {}", e.what()));
       }
@@ -44,19 +48,17 @@ class TextureReader {
     return found->second;
   }
 
- private:
-  Image read(const MaterialLook& look) const {
-    if (look.texture) return read_image(*look.texture, "a texture in " + input_);
+  Image read(const LookPicture& picture) const {
+    if (picture.bytes) return read_image(*picture.bytes, "a texture in " + input_);
     const auto folder = std::filesystem::path(input_).parent_path();
-    const std::string bytes = load_from_folder(folder, context_)(look.texture_file);
-    return read_image(bytes, look.texture_file);
+    const std::string bytes = load_from_folder(folder, context_)(picture.file);
+    return read_image(bytes, picture.file);
   }
 
   const std::string& input_;
   std::vector<std::string>& warnings_;
   const Context& context_;
-  std::map<std::pair<const std::string*, std::string>, std::shared_ptr<const render::ColorTexture>>
-      known_;
+  std::map<std::tuple<const std::string*, std::string, render::Encoding>, Texture> known_;
 };
 
 }  // namespace
@@ -68,15 +70,23 @@ std::vector<render::Look> material_looks(const std::vector<MaterialLook>& looks,
   if (std::none_of(looks.begin(), looks.end(), says_something)) return {};
   TextureReader textures(input, warnings, context);
   std::vector<render::Look> shown;
+  using render::Encoding;
   for (const MaterialLook& look : looks) {
     const Color& c = look.base_color;
-    shown.push_back({{c[0], c[1], c[2]},
-                     textures.of(look),
-                     look.texture_place.cast<float>(),
-                     look.alpha,
-                     c[3],
-                     look.alpha_cutoff,
-                     look.transmission});
+    render::Look& one = shown.emplace_back();
+    one.color = {c[0], c[1], c[2]};
+    one.picture = textures.of(look.base_picture, Encoding::srgb);
+    one.alpha = look.alpha;
+    one.opacity = c[3];
+    one.cutoff = look.alpha_cutoff;
+    one.transmission = look.transmission;
+    if (one.transmission > 0) {
+      one.transmission_picture = textures.of(look.transmission_picture, Encoding::linear);
+      // One that cannot be read could have said that nothing is transmitted.
+      if (look.transmission_picture && !one.transmission_picture) one.transmission = 0;
+    }
+    one.normals = textures.of(look.normal_picture, Encoding::linear);
+    one.normal_strength = look.normal_strength;
   }
   return shown;
 }

@@ -90,7 +90,7 @@ render::Image tile_picture(const SurfaceMesh& mesh, const Map& base_color,
   options.material.glass = false;
   options.view.up = UpAxis::z;
   render::Look look;
-  look.texture = std::make_shared<const render::ColorTexture>(image);
+  look.picture.texture = std::make_shared<const render::ColorTexture>(image);
   options.looks = {look};
   return render_picture(mesh, nullptr, options, context);
 }

@@ -17,10 +17,12 @@ std::vector<MaterialLook> looks_from(const std::vector<MaterialLook>& looks,
     const fs::path folder = fs::weakly_canonical(fs::path(path), failed).parent_path();
     return failed ? fs::path(path).parent_path() : folder;
   };
+  const fs::path from = folder_of(input), to = folder_of(output);
   for (MaterialLook& look : seen) {
-    if (look.texture_file.empty()) continue;
-    const fs::path file = folder_of(input) / look.texture_file;
-    look.texture_file = file.lexically_proximate(folder_of(output)).generic_string();
+    for_each_picture(look, [&](LookPicture& picture) {
+      if (picture.file.empty()) return;
+      picture.file = (from / picture.file).lexically_proximate(to).generic_string();
+    });
   }
   return seen;
 }

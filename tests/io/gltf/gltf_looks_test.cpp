@@ -63,7 +63,7 @@ TEST(GltfLooks, TheFactorIsWhiteUnlessGiven) {
   Json json = document();
   json["materials"][0]["pbrMetallicRoughness"] = {{"baseColorFactor", {0.5, 0.25, 0.125, 1}}};
   EXPECT_EQ(look_of(json).base_color, (Color{0.5f, 0.25f, 0.125f, 1}));
-  EXPECT_FALSE(look_of(json).texture);
+  EXPECT_FALSE(look_of(json).base_picture);
 }
 
 TEST(GltfLooks, AlphaCountsAsItsModeSays) {
@@ -79,37 +79,70 @@ TEST(GltfLooks, AlphaCountsAsItsModeSays) {
   EXPECT_EQ(look_of(json).alpha_cutoff, 0.25f);
 }
 
-TEST(GltfLooks, WhatIsTransmittedIsKnownUnlessATextureSaysIt) {
-  Json json = document();
+TEST(GltfLooks, WhatIsTransmittedHasAPictureOrNothingIsWhereItCannotBeRead) {
+  Json json = textured({{"bufferView", 1}});
   Json& clear = json["materials"][0]["extensions"]["KHR_materials_transmission"];
   clear = Json::object();
   EXPECT_EQ(look_of(json).transmission, 0);
   clear["transmissionFactor"] = 0.75;
   EXPECT_EQ(look_of(json).transmission, 0.75f);
   clear["transmissionTexture"]["index"] = 0;
+  EXPECT_EQ(look_of(json).transmission, 0.75f);
+  EXPECT_EQ(*look_of(json).transmission_picture.bytes, "a picture");
+  clear["transmissionTexture"]["texCoord"] = 1;
   EXPECT_EQ(look_of(json).transmission, 0);
+}
+
+TEST(GltfLooks, WhatIsSaidOfLightComesAsTheFormatHasIt) {
+  const MaterialLook plain = look_of(document());
+  EXPECT_EQ(plain.metallic, 1);
+  EXPECT_EQ(plain.roughness, 1);
+  EXPECT_EQ(plain.emission, (Color{0, 0, 0, 1}));
+  Json json = textured({{"bufferView", 1}});
+  Json& material = json["materials"][0];
+  material["pbrMetallicRoughness"] = {{"metallicFactor", 0.25},
+                                      {"roughnessFactor", 0.5},
+                                      {"metallicRoughnessTexture", {{"index", 0}}}};
+  material["normalTexture"] = {{"index", 0}, {"scale", 0.75}};
+  material["occlusionTexture"] = {{"index", 0}, {"strength", 0.375}};
+  material["emissiveFactor"] = {1, 0.5, 0};
+  material["emissiveTexture"] = {{"index", 0}};
+  material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", 4}};
+  const MaterialLook look = look_of(json);
+  EXPECT_EQ(look.metallic, 0.25f);
+  EXPECT_EQ(look.roughness, 0.5f);
+  EXPECT_EQ(look.normal_strength, 0.75f);
+  EXPECT_EQ(look.occlusion_strength, 0.375f);
+  EXPECT_EQ(look.emission, (Color{4, 2, 0, 1}));
+  EXPECT_FALSE(look.base_picture);
+  for (const LookPicture* picture : {&look.metallic_roughness_picture, &look.normal_picture,
+                                     &look.occlusion_picture, &look.emission_picture}) {
+    EXPECT_TRUE(*picture);
+    EXPECT_EQ(picture->bytes, look.normal_picture.bytes) << "held once";
+  }
 }
 
 TEST(GltfLooks, TexturesInTheFileComeAsTheirBytesOthersByName) {
   const MaterialLook in_view = look_of(textured({{"bufferView", 1}, {"mimeType", "image/png"}}));
-  ASSERT_TRUE(in_view.texture);
-  EXPECT_EQ(*in_view.texture, "a picture");
+  ASSERT_TRUE(in_view.base_picture.bytes);
+  EXPECT_EQ(*in_view.base_picture.bytes, "a picture");
   const std::string uri = "data:image/png;base64," + base64("another");
   const MaterialLook in_uri = look_of(textured({{"uri", uri}}));
-  ASSERT_TRUE(in_uri.texture);
-  EXPECT_EQ(*in_uri.texture, "another");
+  ASSERT_TRUE(in_uri.base_picture.bytes);
+  EXPECT_EQ(*in_uri.base_picture.bytes, "another");
   const MaterialLook beside = look_of(textured({{"uri", "maps/brick.jpg"}}));
-  EXPECT_FALSE(beside.texture);
-  EXPECT_EQ(beside.texture_file, "maps/brick.jpg");
+  EXPECT_FALSE(beside.base_picture.bytes);
+  EXPECT_EQ(beside.base_picture.file, "maps/brick.jpg");
 }
 
 TEST(GltfLooks, ATextureThatIsBrokenOrOfAnotherUvSetIsLeftOut) {
   const MeshFile broken = read_mesh(textured({{"bufferView", 7}}).dump(), "a.gltf");
-  EXPECT_FALSE(broken.looks.at(0).texture);
+  EXPECT_FALSE(broken.looks.at(0).base_picture);
   EXPECT_TRUE(std::any_of(broken.warnings.begin(), broken.warnings.end(), [](const auto& w) {
     return w.find("image 0 is not shown in pictures") != std::string::npos;
   }));
-  EXPECT_FALSE(look_of(textured({{"bufferView", 1}}, {{"index", 0}, {"texCoord", 1}})).texture);
+  EXPECT_FALSE(
+      look_of(textured({{"bufferView", 1}}, {{"index", 0}, {"texCoord", 1}})).base_picture);
 }
 
 TEST(GltfLooks, TextureTransformsTurnAboutTheUpperLeftCorner) {
@@ -121,7 +154,7 @@ TEST(GltfLooks, TextureTransformsTurnAboutTheUpperLeftCorner) {
   const double u = 0.3, v = 0.6, down = 1 - v;
   const double to_u = std::cos(r) * 2 * u + std::sin(r) * 3 * down + 0.125;
   const double to_down = -std::sin(r) * 2 * u + std::cos(r) * 3 * down + 0.25;
-  const Vec2 place = look.texture_place * Vec3(u, v, 1);
+  const Vec2 place = look.base_picture.place * Vec3(u, v, 1);
   EXPECT_NEAR(place.x(), to_u, 1e-14);
   EXPECT_NEAR(place.y(), 1 - to_down, 1e-14);
 }
@@ -135,7 +168,7 @@ TEST(PlyLooks, TheOneTextureThatAFileNamesIsThatOfAllFaces) {
   };
   const MeshFile one = read_mesh(ply("comment TextureFile scan.png\n"), "a.ply");
   ASSERT_EQ(one.looks.size(), 1u);
-  EXPECT_EQ(one.looks[0].texture_file, "scan.png");
+  EXPECT_EQ(one.looks[0].base_picture.file, "scan.png");
   const std::string two = "comment TextureFile a.png\ncomment TextureFile b.png\n";
   EXPECT_TRUE(read_mesh(ply(two), "a.ply").looks.empty());
 }

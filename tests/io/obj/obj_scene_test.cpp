@@ -25,12 +25,6 @@ void write(const fs::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-std::string read_text(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -135,9 +129,9 @@ TEST(ObjScene, PicturesShowTheLibrarysLooks) {
   const MeshFile file = shelf.read();
   ASSERT_EQ(file.looks.size(), 2u);
   EXPECT_EQ(file.looks[0].base_color, (Color{1, 0.5f, 0.25f, 0.5f}));
-  EXPECT_EQ(file.looks[0].texture_file, "tex/clay one.png");
-  EXPECT_EQ(file.looks[0].texture_place(0, 0), 2) << "-s";
-  EXPECT_EQ(file.looks[1].texture_file, "");
+  EXPECT_EQ(file.looks[0].base_picture.file, "tex/clay one.png");
+  EXPECT_EQ(file.looks[0].base_picture.place(0, 0), 2) << "-s";
+  EXPECT_EQ(file.looks[1].base_picture.file, "");
 }
 
 /// A triangle with a material "paint" twice, one with a picture that only the input holds.
@@ -151,9 +145,9 @@ struct Painted {
     mesh.face_materials = {0, 1, 3};
     mesh.material_names = {"paint", "paint", "sky", "crack_wall"};
     looks[0].base_color = {0.5f, 0.25f, 1, 0.5f};
-    looks[1].texture = std::make_shared<const std::string>(picture);
-    looks[1].texture_place << 2, 0, 0.5, 0, 3, -1;
-    looks[2].texture_file = "../in/sky one.png";
+    looks[1].base_picture.bytes = std::make_shared<const std::string>(picture);
+    looks[1].base_picture.place << 2, 0, 0.5, 0, 3, -1;
+    looks[2].base_picture.file = "../in/sky one.png";
   }
 };
 
@@ -168,8 +162,8 @@ TEST(LooksLibrary, HoldsColoursAndPicturesOfAFileOfAnotherKind) {
   EXPECT_TRUE(back.warnings.empty());
   ASSERT_EQ(back.looks.size(), 3u) << "as far as faces use them";
   EXPECT_EQ(back.looks[0].base_color, painted.looks[0].base_color);
-  EXPECT_EQ(back.looks[1].texture_place, painted.looks[1].texture_place);
-  EXPECT_EQ(read_text(shelf.out / back.looks[1].texture_file), picture);
+  EXPECT_EQ(back.looks[1].base_picture.place, painted.looks[1].base_picture.place);
+  EXPECT_EQ(read_text(shelf.out / back.looks[1].base_picture.file), picture);
   EXPECT_LT(back.looks[2].base_color[0], 0.5f) << "walls are dark";
   const auto materials = parse_mtl(read_text(shelf.out / "a.mtl"));
   ASSERT_EQ(materials.size(), 4u);

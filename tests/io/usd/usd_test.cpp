@@ -80,7 +80,7 @@ TEST(Usda, ColorsAndAttributesArePrimvars) {
 TEST(Usda, MaterialsAreBoundToTheFacesThatHaveThem) {
   std::vector<MaterialLook> looks(3);
   looks[0].base_color = {0.5f, 0.25f, 0.125f, 1};
-  looks[0].texture_file = "maps/brick wall.png";
+  looks[0].base_picture.file = "maps/brick wall.png";
   MeshFileOptions options;
   options.looks = &looks;
   SurfaceMesh mesh = rich();
@@ -92,9 +92,9 @@ TEST(Usda, MaterialsAreBoundToTheFacesThatHaveThem) {
   EXPECT_EQ(brick.values.at("outputs:surface.connect"),
             "</craze/Materials/two_words/Surface.outputs:surface>");
   EXPECT_EQ(brick.at("Surface").values.at("inputs:diffuseColor.connect"),
-            "</craze/Materials/two_words/Texture.outputs:rgb>");
-  EXPECT_EQ(brick.at("Texture").values.at("inputs:file"), "@maps/brick wall.png@");
-  EXPECT_EQ(brick.at("Texture").numbers("inputs:scale"),
+            "</craze/Materials/two_words/BaseColor.outputs:rgb>");
+  EXPECT_EQ(brick.at("BaseColor").values.at("inputs:file"), "@maps/brick wall.png@");
+  EXPECT_EQ(brick.at("BaseColor").numbers("inputs:scale"),
             (std::vector<double>{0.5, 0.25, 0.125, 1}));
   EXPECT_EQ(brick.at("Uv").values.at("inputs:varname"), "\"st\"");
   EXPECT_EQ(surface(root).at("two_words").numbers("indices"), std::vector<double>{0});
@@ -107,6 +107,120 @@ TEST(Usda, MaterialsAreBoundToTheFacesThatHaveThem) {
   EXPECT_EQ(surface(one).values.at("material:binding"), "</craze/Materials/_2nd__quoted_>");
   EXPECT_EQ(one.at("craze").at("Materials").at("_2nd__quoted_").metadata.at("displayName"),
             R"("2nd \"quoted\"")");
+}
+
+/// The material of a mesh whose one look this is.
+UsdPrim material_of(const MaterialLook& look) {
+  SurfaceMesh mesh = rich();
+  mesh.material_names = {"one"};
+  mesh.face_materials = {0, 0};
+  const std::vector<MaterialLook> looks{look};
+  MeshFileOptions options;
+  options.looks = &looks;
+  return parse_usda(format_usda(mesh, options)).at("craze").at("Materials").at("one");
+}
+
+TEST(Usda, MaterialsHaveAllPicturesEachInItsColourSpace) {
+  MaterialLook look;
+  look.metallic = 0.25f;
+  look.roughness = 0.5f;
+  look.normal_strength = 0.75f;
+  look.occlusion_strength = 0.25f;
+  look.emission = {2, 1, 0, 1};
+  look.metallic_roughness_picture.file = "mr.png";
+  look.normal_picture.file = "normal.png";
+  look.occlusion_picture.file = "ao.png";
+  look.emission_picture.file = "glow.png";
+  const UsdPrim material = material_of(look);
+  const UsdPrim& surface = material.at("Surface");
+  const auto expect_picture = [&](const std::string& name, const std::string& file,
+                                  const std::string& space, std::vector<double> scale) {
+    const UsdPrim& picture = material.at(name);
+    EXPECT_EQ(picture.values.at("inputs:file"), "@" + file + "@");
+    EXPECT_EQ(picture.values.at("inputs:sourceColorSpace"), "\"" + space + "\"");
+    EXPECT_EQ(picture.numbers("inputs:scale"), scale) << name;
+  };
+  EXPECT_EQ(surface.values.at("inputs:metallic.connect"),
+            "</craze/Materials/one/MetallicRoughness.outputs:b>");
+  EXPECT_EQ(surface.values.at("inputs:roughness.connect"),
+            "</craze/Materials/one/MetallicRoughness.outputs:g>");
+  expect_picture("MetallicRoughness", "mr.png", "raw", {1, 0.5, 0.25, 1});
+  EXPECT_EQ(surface.values.at("inputs:normal.connect"),
+            "</craze/Materials/one/Normal.outputs:rgb>");
+  expect_picture("Normal", "normal.png", "raw", {1.5, 1.5, 2, 1});
+  EXPECT_EQ(material.at("Normal").numbers("inputs:bias"),
+            (std::vector<double>{-0.75, -0.75, -1, 0}));
+  EXPECT_EQ(surface.values.at("inputs:occlusion.connect"),
+            "</craze/Materials/one/Occlusion.outputs:r>");
+  expect_picture("Occlusion", "ao.png", "raw", {0.25, 0.25, 0.25, 1});
+  EXPECT_EQ(material.at("Occlusion").numbers("inputs:bias")[0], 0.75);
+  expect_picture("Emission", "glow.png", "sRGB", {2, 1, 0, 1});
+  EXPECT_FALSE(surface.values.count("inputs:opacity"));
+}
+
+TEST(Usda, OpacityIsWhatCoversAndLetsNothingThrough) {
+  using Alpha = MaterialLook::Alpha;
+  MaterialLook look;
+  look.base_color[3] = 0.5f;
+  EXPECT_FALSE(material_of(look).at("Surface").values.count("inputs:opacity"));
+  look.alpha = Alpha::blended;
+  EXPECT_EQ(material_of(look).at("Surface").numbers("inputs:opacity")[0], 0.5);
+  look.transmission = 0.75f;
+  EXPECT_EQ(material_of(look).at("Surface").numbers("inputs:opacity")[0], 0.125);
+  look.transmission_picture.file = "through.png";
+  const UsdPrim through = material_of(look);
+  EXPECT_EQ(through.at("Surface").values.at("inputs:opacity.connect"),
+            "</craze/Materials/one/Transmission.outputs:r>");
+  EXPECT_EQ(through.at("Transmission").numbers("inputs:scale")[0], -0.375);
+  EXPECT_EQ(through.at("Transmission").numbers("inputs:bias")[0], 0.5);
+  look.base_picture.file = "leaf.png";
+  look.alpha = Alpha::cut;
+  look.alpha_cutoff = 0.25f;
+  const UsdPrim leaf = material_of(look);
+  EXPECT_EQ(leaf.at("Surface").values.at("inputs:opacity.connect"),
+            "</craze/Materials/one/BaseColor.outputs:a>");
+  EXPECT_EQ(leaf.at("Surface").numbers("inputs:opacityThreshold")[0], 0.25);
+  EXPECT_EQ(leaf.at("BaseColor").numbers("inputs:scale"), (std::vector<double>{1, 1, 1, 0.125}));
+}
+
+TEST(Usda, PlacesOfPicturesAreScaledTurnedAndMoved) {
+  MaterialLook look;
+  look.base_picture.file = "a.png";
+  const double turn = 0.5, sx = 2, sy = -3;
+  look.base_picture.place << sx * std::cos(turn), -sy * std::sin(turn), 0.25, sx * std::sin(turn),
+      sy * std::cos(turn), 0.75;
+  const UsdPrim material = material_of(look);
+  EXPECT_EQ(material.at("BaseColor").values.at("inputs:st.connect"),
+            "</craze/Materials/one/BaseColorPlace.outputs:result>");
+  const UsdPrim& place = material.at("BaseColorPlace");
+  EXPECT_NEAR(place.numbers("inputs:rotation")[0], turn * 180 / 3.141592653589793, 1e-9);
+  EXPECT_NEAR(place.numbers("inputs:scale")[0], sx, 1e-12);
+  EXPECT_NEAR(place.numbers("inputs:scale")[1], sy, 1e-12);
+  EXPECT_EQ(place.numbers("inputs:translation"), (std::vector<double>{0.25, 0.75}));
+}
+
+TEST(Usda, PicturesInMemoryAreWrittenBesideTheFile) {
+  const TemporaryFolder folder;
+  std::vector<MaterialLook> looks(3);
+  looks[0].base_picture.bytes = looks[0].emission_picture.bytes =
+      std::make_shared<const std::string>("\x89PNG\r\n\x1a\n and more");
+  looks[0].emission = {1, 1, 1, 1};
+  looks[0].normal_picture.bytes = std::make_shared<const std::string>("\xff\xd8\xff and more");
+  MeshFileOptions options;
+  options.looks = &looks;
+  std::vector<std::string> said;
+  options.warn = [&](const std::string& sentence) { said.push_back(sentence); };
+  write_mesh(folder / "rich.usda", rich(), options);
+  EXPECT_TRUE(said.empty());
+  EXPECT_EQ(read_text(folder / "rich_1.png"), *looks[0].base_picture.bytes);
+  EXPECT_EQ(read_text(folder / "rich_2.jpg"), *looks[0].normal_picture.bytes);
+  const UsdPrim root = parse_usda(read_text(folder / "rich.usda"));
+  const UsdPrim& material = root.at("craze").at("Materials").at("two_words");
+  EXPECT_EQ(material.at("BaseColor").values.at("inputs:file"), "@rich_1.png@");
+  EXPECT_EQ(material.at("Emission").values.at("inputs:file"), "@rich_1.png@");
+  EXPECT_EQ(material.at("Normal").values.at("inputs:file"), "@rich_2.jpg@");
+  format_usda(rich(), options);
+  EXPECT_EQ(said.size(), 1u) << "in memory, there is no beside";
 }
 
 TEST(Usda, NamesAreUnique) {

@@ -31,39 +31,75 @@ class Looks {
 
   MaterialLook look_of(const Json& material) {
     MaterialLook look;
-    if (material.is_object()) add_clarity(look, material);
+    // The format's own, where a material does not say.
+    look.metallic = look.roughness = 1;
+    if (!material.is_object()) return look;
+    add_clarity(look, material);
+    add_relief(look, material);
+    add_emission(look, material);
     const Json* surface = object_in(material, "pbrMetallicRoughness");
     if (!surface) return look;
     double factor[4];
     if (json_.numbers(*surface, "baseColorFactor", factor, 4)) {
       for (std::size_t k = 0; k < 4; ++k) look.base_color[k] = static_cast<float>(factor[k]);
     }
-    if (const Json* texture = object_in(*surface, "baseColorTexture")) add_texture(look, *texture);
+    look.metallic = number_or(*surface, "metallicFactor", 1);
+    look.roughness = number_or(*surface, "roughnessFactor", 1);
+    look.base_picture = picture_at(*surface, "baseColorTexture");
+    look.metallic_roughness_picture = picture_at(*surface, "metallicRoughnessTexture");
     return look;
   }
 
  private:
-  /// How much of what lies behind is seen. Where a texture decides what is transmitted, nothing is.
+  /// How much of what lies behind is seen.
   void add_clarity(MaterialLook& look, const Json& material) {
     const std::string mode = json_.text(material, "alphaMode");
     if (mode == "MASK") look.alpha = MaterialLook::Alpha::cut;
     if (mode == "BLEND") look.alpha = MaterialLook::Alpha::blended;
     look.alpha_cutoff = number_or(material, "alphaCutoff", look.alpha_cutoff);
     const Json* clear = json_.extension(material, "KHR_materials_transmission");
-    if (!clear || clear->contains("transmissionTexture")) return;
+    if (!clear) return;
     look.transmission = std::clamp(number_or(*clear, "transmissionFactor", 0), 0.0f, 1.0f);
+    look.transmission_picture = picture_at(*clear, "transmissionTexture");
+    // A texture that cannot be read could have said that nothing is.
+    if (clear->contains("transmissionTexture") && !look.transmission_picture) look.transmission = 0;
   }
 
-  void add_texture(MaterialLook& look, const Json& reference) {
-    std::size_t uv_set = json_.index_or(reference, "texCoord", 0);
-    const Json* transform = json_.extension(reference, "KHR_texture_transform");
+  void add_relief(MaterialLook& look, const Json& material) {
+    look.normal_picture = picture_at(material, "normalTexture");
+    look.occlusion_picture = picture_at(material, "occlusionTexture");
+    if (const Json* normal = object_in(material, "normalTexture")) {
+      look.normal_strength = number_or(*normal, "scale", 1);
+    }
+    if (const Json* occlusion = object_in(material, "occlusionTexture")) {
+      look.occlusion_strength = number_or(*occlusion, "strength", 1);
+    }
+  }
+
+  void add_emission(MaterialLook& look, const Json& material) {
+    look.emission_picture = picture_at(material, "emissiveTexture");
+    const Json* strong = json_.extension(material, "KHR_materials_emissive_strength");
+    const float strength = strong ? number_or(*strong, "emissiveStrength", 1) : 1;
+    double factor[3];
+    if (!json_.numbers(material, "emissiveFactor", factor, 3)) return;
+    for (std::size_t k = 0; k < 3; ++k) look.emission[k] = strength * static_cast<float>(factor[k]);
+  }
+
+  /// The picture that `material` names as `key`; none where it reads other UVs than the first.
+  LookPicture picture_at(const Json& material, const char* key) {
+    LookPicture seen;
+    const Json* reference = object_in(material, key);
+    if (!reference) return seen;
+    std::size_t uv_set = json_.index_or(*reference, "texCoord", 0);
+    const Json* transform = json_.extension(*reference, "KHR_texture_transform");
     if (transform) uv_set = json_.index_or(*transform, "texCoord", uv_set);
-    const auto index = json_.index(reference, "index");
-    if (uv_set != 0 || !index) return;
+    const auto index = json_.index(*reference, "index");
+    if (uv_set != 0 || !index) return seen;
     const auto image = json_.index(json_.item(root_, "textures", *index), "source");
-    if (!image) return;
-    if (transform) look.texture_place = texture_place(*transform, json_);
-    std::tie(look.texture, look.texture_file) = picture(*image);
+    if (!image) return seen;
+    if (transform) seen.place = texture_place(*transform, json_);
+    std::tie(seen.bytes, seen.file) = picture(*image);
+    return seen;
   }
 
   using Picture = std::pair<std::shared_ptr<const std::string>, std::string>;

@@ -2,19 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
-#include "craze/io/image/picture_type.h"
 #include "craze/io/obj/mtl.h"
 
 namespace craze {
 
 namespace {
-
-std::string extension_of(const std::string& bytes) {
-  const std::string type = picture_type(bytes);
-  return type == "image/jpeg" ? ".jpg" : "." + type.substr(type.find('/') + 1);
-}
 
 /// Scale and shift of a texture; a turn has no place in MTL.
 std::string placed(const Eigen::Matrix<double, 2, 3>& place) {
@@ -28,54 +20,30 @@ std::string placed(const Eigen::Matrix<double, 2, 3>& place) {
   return options;
 }
 
-class LibraryWriter {
- public:
-  explicit LibraryWriter(const std::filesystem::path& path) : path_(path) {
-    library_.file = path;
-    library_.file.replace_extension(".mtl");
-    library_.text = "# craze\n";
+void add(std::string& text, const std::string& name, const MaterialLook& look,
+         LookPictures& pictures) {
+  const Color& c = look.base_color;
+  text += fmt::format("\nnewmtl {}\nKd {} {} {}\nd {}\n", name, c[0], c[1], c[2], c[3]);
+  const std::string picture = pictures.name_of(look.base_picture);
+  if (!picture.empty()) {
+    text += fmt::format("map_Kd {}{}\n", placed(look.base_picture.place), picture);
   }
-
-  void add(const std::string& name, const MaterialLook& look) {
-    const Color& c = look.base_color;
-    library_.text += fmt::format("\nnewmtl {}\nKd {} {} {}\nd {}\n", name, c[0], c[1], c[2], c[3]);
-    const std::string picture = picture_of(look);
-    if (picture.empty()) return;
-    library_.text += fmt::format("map_Kd {}{}\n", placed(look.texture_place), picture);
-  }
-
-  LooksLibrary take() { return std::move(library_); }
-
- private:
-  std::string picture_of(const MaterialLook& look) {
-    if (!look.texture) return look.texture_file;
-    const auto [found, is_new] = names_.try_emplace(look.texture.get());
-    if (is_new) {
-      found->second = fmt::format("{}_{}{}", path_.stem().string(), library_.pictures.size() + 1,
-                                  extension_of(*look.texture));
-      library_.pictures.emplace_back(path_.parent_path() / found->second, look.texture);
-    }
-    return found->second;
-  }
-
-  std::filesystem::path path_;
-  LooksLibrary library_;
-  std::map<const std::string*, std::string> names_;
-};
+}
 
 }  // namespace
 
 LooksLibrary looks_library(const std::filesystem::path& path, const SurfaceMesh& mesh,
-                           const std::vector<MaterialLook>& looks) {
+                           const std::vector<MaterialLook>& looks, LookPictures& pictures) {
   if (mesh.material_names.empty()) return {};
-  LibraryWriter writer(path);
+  LooksLibrary library{path, "# craze\n"};
+  library.file.replace_extension(".mtl");
   const std::vector<std::string> names = mtl_names(mesh);
   for (std::size_t m = 0; m < names.size(); ++m) {
     MaterialLook wall;
     wall.base_color = {0.25f, 0.25f, 0.25f, 1};
-    writer.add(names[m], m < looks.size() ? looks[m] : wall);
+    add(library.text, names[m], m < looks.size() ? looks[m] : wall, pictures);
   }
-  return writer.take();
+  return library;
 }
 
 }  // namespace craze

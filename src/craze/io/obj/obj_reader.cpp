@@ -236,8 +236,8 @@ class ObjReader {
         look.base_color[k] = static_cast<float>(material.color[k]);
       look.base_color[3] = static_cast<float>(material.opacity);
       if (material.opacity < 1) look.alpha = MaterialLook::Alpha::blended;
-      look.texture_file = material.color_picture;
-      look.texture_place << material.scale[0], 0, material.shift[0], 0, material.scale[1],
+      look.base_picture.file = material.color_picture;
+      look.base_picture.place << material.scale[0], 0, material.shift[0], 0, material.scale[1],
           material.shift[1];
       known.try_emplace(material.name, std::move(look));
     }

@@ -119,7 +119,7 @@ class PlyReader {
     source_.textures = header.textures;
     if (source_.looks && header.textures.size() == 1) {
       MaterialLook look;
-      look.texture_file = header.textures[0];
+      look.base_picture.file = header.textures[0];
       source_.looks->assign(std::max<std::size_t>(1, header.materials.size()), look);
     }
     if (!header.comments.empty()) {

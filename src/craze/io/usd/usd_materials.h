@@ -23,10 +23,8 @@ class UsdMaterials {
   std::string text() const;
 
  private:
-  std::string material(const std::string& name, const std::string& path,
-                       std::int32_t face_material);
-  std::string base_color(const std::string& name, const std::string& path,
-                         std::int32_t face_material);
+  std::string surface(const std::string& name, const std::string& path,
+                      std::int32_t face_material) const;
 
   const SurfaceMesh& mesh_;
   const MeshFileOptions& options_;

@@ -90,11 +90,14 @@ class UsdWriter {
 
 void warn_of_textures(const MeshFileOptions& options) {
   if (!options.looks || !options.warn) return;
+  bool is_left_out = false;
   for (const MaterialLook& look : *options.looks) {
-    if (!look.texture) continue;
-    options.warn("textures inside the input are not in the USDA: it can only name files");
-    return;
+    for_each_picture(look, [&](const LookPicture& picture) {
+      is_left_out = is_left_out || (picture.bytes && picture.file.empty());
+    });
   }
+  if (!is_left_out) return;
+  options.warn("textures inside the input are not in the USDA: it can only name files");
 }
 
 }  // namespace

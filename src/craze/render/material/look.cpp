@@ -22,7 +22,8 @@ Neighbours neighbours(float s, std::int32_t n) {
 
 }  // namespace
 
-ColorTexture::ColorTexture(const craze::Image& image) : width_(image.width), height_(image.height) {
+ColorTexture::ColorTexture(const craze::Image& image, Encoding encoding)
+    : width_(image.width), height_(image.height) {
   const auto byte = [&](std::int32_t x, std::int32_t y, int c) {
     const double value = std::clamp(image.value(x, y, c), 0.0, 1.0);
     return static_cast<std::uint8_t>(std::lround(255 * value));
@@ -36,7 +37,10 @@ ColorTexture::ColorTexture(const craze::Image& image) : width_(image.width), hei
       pixels_.push_back({byte(x, y, 0), byte(x, y, grey ? 0 : 1), byte(x, y, grey ? 0 : 2), alpha});
     }
   }
-  for (int i = 0; i < 256; ++i) linear_[i] = srgb_to_linear(static_cast<float>(i) / 255.0f);
+  for (int i = 0; i < 256; ++i) {
+    const float value = static_cast<float>(i) / 255.0f;
+    linear_[i] = encoding == Encoding::srgb ? srgb_to_linear(value) : value;
+  }
 }
 
 Rgba ColorTexture::pixel(std::int32_t x, std::int32_t y) const {
@@ -53,23 +57,33 @@ Rgba ColorTexture::sample(const Eigen::Vector2f& uv) const {
   return (1 - r.weight) * row(r.first) + r.weight * row(r.second);
 }
 
-LookSample Look::of(const Rgb& its_color, float its_alpha) const {
-  LookSample sample{its_color, 1, transmission};
+LookSample Look::of(const Rgb& its_color, float its_alpha, float its_transmission) const {
+  LookSample sample{its_color, 1, its_transmission};
   if (alpha == Alpha::cut) sample.cover = its_alpha < cutoff ? 0 : 1;
   if (alpha == Alpha::blended) sample.cover = std::clamp(its_alpha, 0.0f, 1.0f);
   return sample;
 }
 
 LookSample Look::at(const Eigen::Vector2f& uv) const {
-  if (!texture) return at_factor();
-  const Rgba sample = texture->sample(place * Eigen::Vector3f(uv.x(), uv.y(), 1));
-  return of(color * sample.head<3>(), opacity * sample[3]);
+  const float through =
+      transmission_picture ? transmission * transmission_picture.at(uv)[0] : transmission;
+  if (!picture) return of(color, opacity, through);
+  const Rgba sample = picture.at(uv);
+  return of(color * sample.head<3>(), opacity * sample[3], through);
+}
+
+Vec3f Look::tangent_normal(const Eigen::Vector2f& uv) const {
+  if (!normals) return Vec3f::UnitZ();
+  Vec3f n = 2 * normals.at(uv).head<3>().matrix() - Vec3f::Ones();
+  n.head<2>() *= normal_strength;
+  n.normalize();
+  return n.allFinite() && n.z() > 0 ? n : Vec3f::UnitZ();
 }
 
 bool Look::is_see_through() const {
   if (transmission > 0) return true;
   if (alpha == Alpha::ignored) return false;
-  return (texture && !texture->is_opaque()) || at_factor().cover < 1;
+  return (picture && !picture.texture->is_opaque()) || at_factor().cover < 1;
 }
 
 }  // namespace craze::render

@@ -14,11 +14,14 @@ namespace craze::render {
 
 using Rgba = Eigen::Array4f;  ///< linear, alpha last, not premultiplied
 
-/// A colour picture as a function on texture space.
+/// How a picture's numbers are meant.
+enum class Encoding { srgb, linear };
+
+/// A picture as a function on texture space.
 class ColorTexture {
  public:
-  /// Of 1 to 4 channels, as sRGB; alpha is 1 where there is none. Not an empty one.
-  explicit ColorTexture(const craze::Image& image);
+  /// Of 1 to 4 channels; alpha is linear, and 1 where there is none. Not an empty one.
+  explicit ColorTexture(const craze::Image& image, Encoding encoding = Encoding::srgb);
 
   /// Linear, bilinear between pixel centres; u runs right and v up from the lower left corner, both
   /// repeat. A uv that is not finite counts as (0, 0).
@@ -35,6 +38,19 @@ class ColorTexture {
   std::array<float, 256> linear_;
 };
 
+/// A picture where it lies on a mesh.
+struct PlacedTexture {
+  std::shared_ptr<const ColorTexture> texture;  ///< null: none
+  /// From (u, v, 1) of the mesh to the texture's (u, v).
+  Eigen::Matrix<float, 2, 3> place = Eigen::Matrix<float, 2, 3>::Identity();
+
+  explicit operator bool() const { return texture != nullptr; }
+  /// At UVs of the mesh; there must be a texture.
+  Rgba at(const Eigen::Vector2f& uv) const {
+    return texture->sample(place * Eigen::Vector3f(uv.x(), uv.y(), 1));
+  }
+};
+
 /// What a look is at a place.
 struct LookSample {
   Rgb color;
@@ -48,23 +64,27 @@ struct LookSample {
 struct Look {
   using Alpha = MaterialLook::Alpha;
 
-  Rgb color = Rgb::Ones();                      ///< linear; a factor of the texture
-  std::shared_ptr<const ColorTexture> texture;  ///< null: none
-  /// From (u, v, 1) of the mesh to the texture's (u, v).
-  Eigen::Matrix<float, 2, 3> place = Eigen::Matrix<float, 2, 3>::Identity();
+  Rgb color = Rgb::Ones();  ///< linear; a factor of the picture
+  PlacedTexture picture{};
   Alpha alpha = Alpha::ignored;
-  float opacity = 1;  ///< a factor of the texture's alpha
+  float opacity = 1;  ///< a factor of the picture's alpha
   float cutoff = 0.5f;
-  float transmission = 0;  ///< 0 … 1
+  float transmission = 0;                ///< 0 … 1; a factor of its picture's red
+  PlacedTexture transmission_picture{};  ///< linear
+  PlacedTexture normals{};               ///< linear, tangent space
+  float normal_strength = 1;             ///< of their slopes
 
   LookSample at(const Eigen::Vector2f& uv) const;
-  /// Without the texture.
-  LookSample at_factor() const { return of(color, opacity); }
+  /// Without the pictures.
+  LookSample at_factor() const { return of(color, opacity, transmission); }
+  /// The normal along tangent (of growing u), bitangent (of growing v) and normal, unit; (0, 0, 1)
+  /// where there is no picture.
+  Vec3f tangent_normal(const Eigen::Vector2f& uv) const;
   /// Whether something behind it may be seen somewhere.
   bool is_see_through() const;
 
  private:
-  LookSample of(const Rgb& its_color, float its_alpha) const;
+  LookSample of(const Rgb& its_color, float its_alpha, float its_transmission) const;
 };
 
 }  // namespace craze::render

@@ -13,13 +13,38 @@ const Look* TracedModel::look_of(std::int32_t face) const {
   return index < 0 ? nullptr : &looks[index];
 }
 
+namespace {
+
+Eigen::Vector2f uv_at(const TracedModel& model, const Hit& hit) {
+  const Eigen::Vector2f* uv = &model.uvs[static_cast<std::size_t>(3) * hit.face];
+  return (1 - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2];
+}
+
+/// The smooth normal bent by the look's normal picture, along the face's directions of u and v.
+/// `ab`, `ac`: edges of the face; `normal` on the side that its corners turn counterclockwise.
+Vec3f mapped_normal(const TracedModel& model, const Hit& hit, const Vec3f& ab, const Vec3f& ac,
+                    const Vec3f& normal) {
+  const Look* look = model.look_of(hit.face);
+  if (!look || !look->normals || model.uvs.empty()) return normal;
+  const Eigen::Vector2f* uv = &model.uvs[static_cast<std::size_t>(3) * hit.face];
+  const Eigen::Vector2f b = uv[1] - uv[0], c = uv[2] - uv[0];
+  const float area = b.x() * c.y() - b.y() * c.x();
+  const Vec3f along_u = (c.y() * ab - b.y() * ac) * (area < 0 ? -1.0f : 1.0f);
+  const Vec3f tangent = (along_u - along_u.dot(normal) * normal).stableNormalized();
+  if (area == 0 || tangent.isZero()) return normal;
+  const Vec3f bitangent = (area < 0 ? -1.0f : 1.0f) * normal.cross(tangent);
+  const Vec3f n = look->tangent_normal(uv_at(model, hit));
+  return (n.x() * tangent + n.y() * bitangent + n.z() * normal).normalized();
+}
+
+}  // namespace
+
 LookSample body_at(const TracedModel& model, const Material& material, const Hit& hit) {
   if (model.is_wall[hit.face]) return {material.wall};
   const Look* look = model.look_of(hit.face);
   if (!look) return {material.color};
   if (model.uvs.empty()) return look->at_factor();
-  const Eigen::Vector2f* uv = &model.uvs[static_cast<std::size_t>(3) * hit.face];
-  return look->at((1 - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2]);
+  return look->at(uv_at(model, hit));
 }
 
 float fresnel(float cosine) {
@@ -45,8 +70,10 @@ Surface surface_at(const TracedModel& model, const Material& material, const Ray
   s.view = ray.direction.normalized();
   s.position = w0 * a + hit.u * b + hit.v * c;
   s.geometric = (b - a).cross(c - a).stableNormalized();
-  if (s.geometric.dot(s.view) > 0) s.geometric = -s.geometric;
   s.normal = (w0 * n[0] + hit.u * n[1] + hit.v * n[2]).stableNormalized();
+  if (s.normal.dot(s.geometric) < 0) s.normal = -s.normal;
+  s.normal = mapped_normal(model, hit, b - a, c - a, s.normal);
+  if (s.geometric.dot(s.view) > 0) s.geometric = -s.geometric;
   if (s.normal.dot(s.geometric) < 0) s.normal = -s.normal;
   if (s.normal.isZero()) s.normal = s.geometric;
   const auto place = [&](int i) { return model.places[t[i]].cast<float>(); };
