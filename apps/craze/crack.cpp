@@ -46,6 +46,7 @@ int crack(Options& options) {
   options.request.recipe = build_recipe(options);
   options.request.shot = options.choice.picture;
   options.request.plain = options.choice.plain;
+  options.request.environment = options.choice.environment;
   check_request(options.request);
   const RunResult result = run(options.request, Run(options.run).context());
   print_warnings(options.run, result.report.warnings);

@@ -50,6 +50,19 @@ void add_camera(CLI::App& verb, PictureChoice& choice) {
       ->type_name("X Y Z")
       ->expected(3)
       ->group(group);
+  verb.add_option("--aperture", picture.view.aperture,
+                  "Of the lens, as a part of the object's size; what is out of focus blurs")
+      ->type_name("X")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option_function<std::vector<double>>(
+          "--focus",
+          [&picture](const std::vector<double>& p) { picture.view.focus = Vec3(p[0], p[1], p[2]); },
+          "The point that is sharp; by default what is in the middle of the picture")
+      ->type_name("X Y Z")
+      ->expected(3)
+      ->group(group);
   verb.add_option("--up", choice.up, "auto, x, y or z")
       ->check(CLI::IsMember({"auto", "x", "y", "z"}).description(""))
       ->type_name("AXIS")
@@ -70,11 +83,24 @@ void add_scene(CLI::App& verb, PictureChoice& choice) {
       ->type_name("LENGTH")
       ->check(not_negative())
       ->group(group);
-  verb.add_option("--light", picture.light.azimuth,
-                  "Where the lamp stands: degrees to the right of the camera")
+  CLI::Option* light = verb.add_option("--light", picture.light.azimuth,
+                                       "Where the lamp stands: degrees to the right of the camera")
+                           ->type_name("DEG")
+                           ->group(group);
+  CLI::Option* environment =
+      verb.add_option("--environment", choice.environment,
+                      "Light from all around instead: an equirectangular .hdr, .png or .jpg")
+          ->type_name("FILE")
+          ->excludes(light)
+          ->group(group);
+  verb.add_option("--environment-turn", picture.environment.turn,
+                  "Degrees to the right; 0: its middle is ahead of the camera")
       ->type_name("DEG")
+      ->check(CLI::Range(-360.0, 360.0))
+      ->needs(environment)
       ->group(group);
   verb.add_option("--light-elevation", picture.light.elevation, "Degrees above the horizon")
+      ->excludes(environment)
       ->type_name("DEG")
       ->check(CLI::Range(-90.0, 90.0))
       ->group(group);

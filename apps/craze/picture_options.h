@@ -13,6 +13,7 @@ struct PictureChoice {
   render::PictureOptions picture;  ///< all but what is below
   std::string material, up;        ///< as the recipe's keys take them; empty: not given
   bool plain = false;              ///< without the mesh's own colours
+  std::string environment;         ///< a file; empty: not given
 };
 
 /// --width, --height, --samples, camera, material, light and background, in two groups.

@@ -6,6 +6,7 @@
 #include "craze/job/load_surface.h"
 #include "craze/job/material_looks.h"
 #include "craze/job/run.h"
+#include "craze/render/light/environment_file.h"
 #include "craze/render/mesh_picture.h"
 #include "craze/render/png.h"
 #include "picture_options.h"
@@ -34,6 +35,9 @@ int render_mesh(Options& options) {
   check_picture_path(options.output);
   const Run run(options.run);
   const Context& context = run.context();
+  if (const std::string& around = options.choice.environment; !around.empty()) {
+    picture.environment.environment = render::read_environment(around, context);
+  }
   MeshFile file = load_surface(options.input, context);
   if (!options.choice.plain) {
     picture.looks = material_looks(file.looks, options.input, file.warnings, context);

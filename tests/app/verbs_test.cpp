@@ -148,16 +148,18 @@ TEST_F(Verbs, RenderTakesAPictureOfTheSizeAskedFor) {
 }
 
 TEST_F(Verbs, CrackAndRenderTakeTheSamePictureOptions) {
-  const std::vector<std::string> options{"--width", "32",          "--height",
-                                         "24",      "--samples",   "1",
-                                         "--up",    "z",           "--azimuth",
-                                         "30",      "--elevation", "40",
-                                         "--fov",   "30",          "--zoom",
-                                         "1.5",     "--material",  "mud",
-                                         "--light", "-40",         "--line-width",
-                                         "0.01",    "--no-ground", "--background",
-                                         "406080",  "--plain",     "--light-elevation",
-                                         "30",      "--exposure",  "1.2"};
+  const std::vector<std::string> options{"--width",    "32",          "--height",
+                                         "24",         "--samples",   "1",
+                                         "--up",       "z",           "--azimuth",
+                                         "30",         "--elevation", "40",
+                                         "--fov",      "30",          "--zoom",
+                                         "1.5",        "--material",  "mud",
+                                         "--light",    "-40",         "--line-width",
+                                         "0.01",       "--no-ground", "--background",
+                                         "406080",     "--plain",     "--light-elevation",
+                                         "30",         "--exposure",  "1.2",
+                                         "--aperture", "0.05",        "--focus",
+                                         "1",          "0",           "0"};
   std::vector<std::string> render{"render", "shape:sphere", "-o", "a.png"};
   render.insert(render.end(), options.begin(), options.end());
   EXPECT_EQ(run(render).err, "");

@@ -30,10 +30,10 @@ bool shows_mesh(const RunRequest& request) {
   return is_cut || !(request.picture.empty() && request.frames.empty() && request.video.empty());
 }
 
-render::PictureOptions picture_options(const RunRequest& request,
-                                       const std::vector<render::Look>& looks) {
+render::PictureOptions picture_options(const RunRequest& request, const BesideSurface& beside) {
   render::PictureOptions options = request.shot;
-  options.looks = looks;
+  options.looks = beside.looks;
+  options.environment.environment = beside.environment;
   options.material = render::find_material(request.recipe.picture.material);
   options.view.up = request.recipe.picture.up;
   // Built-in shapes stand along z.
@@ -86,7 +86,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
                                                        const Result& result,
                                                        const BesideSurface& beside, Report& report,
                                                        const Context& context) {
-  const render::PictureOptions picture = picture_options(request, beside.looks);
+  const render::PictureOptions picture = picture_options(request, beside);
   GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);

@@ -9,6 +9,7 @@
 #include "craze/job/run.h"
 #include "craze/output/source_file.h"
 #include "craze/products/statistics/statistics.h"
+#include "craze/render/light/environment.h"
 #include "craze/render/material/look.h"
 
 namespace craze {
@@ -17,6 +18,7 @@ namespace craze {
 struct BesideSurface {
   SourceFile source;
   std::vector<render::Look> looks;  ///< what pictures show of it; empty: their own material
+  std::shared_ptr<const render::Environment> environment;  ///< what lights them; null: the studio
 };
 
 /// Writes everything asked for but the report, of which it counts the output and adds warnings.

@@ -15,6 +15,7 @@
 #include "craze/job/outputs.h"
 #include "craze/model/simulation.h"
 #include "craze/products/report_json.h"
+#include "craze/render/light/environment_file.h"
 
 namespace craze {
 
@@ -53,6 +54,9 @@ Loaded load(const RunRequest& request, const Context& context) {
   loaded.warnings = std::move(file.warnings);
   if (takes_pictures(request) && !request.plain) {
     loaded.beside.looks = material_looks(file.looks, request.input, loaded.warnings, context);
+  }
+  if (takes_pictures(request) && !request.environment.empty()) {
+    loaded.beside.environment = render::read_environment(request.environment, context);
   }
   loaded.beside.source = {request.input, std::move(file.looks), std::move(file.scene)};
   input.name = request.input;

@@ -34,6 +34,7 @@ struct RunRequest {
   bool split_fragments = false;      ///< `output`, not .ply or .stl, has an object per fragment
   /// How pictures are taken. Material and upward axis are the recipe's.
   render::PictureOptions shot;
+  std::string environment;  ///< the file of the picture that lights them; empty: the studio
   /// `output`, .glb, is the input's scene with the cracks in its materials' pictures alone.
   bool as_maps = false;
   CrackStain stain;    ///< of as_maps

@@ -24,6 +24,9 @@ struct View {
   double margin = 0.08;             ///< free border, as a fraction of the picture
   double zoom = 1;                  ///< 2: twice as near as what shows all
   std::optional<Vec3> target;       ///< the point in the middle; by default the object's
+  /// Of the lens, its diameter as a part of the object's diagonal; 0: all is sharp.
+  double aperture = 0;
+  std::optional<Vec3> focus;  ///< the point that is sharp; by default what is seen in the middle
 };
 
 struct Camera {
@@ -32,6 +35,8 @@ struct Camera {
   Vec3 vertical;            ///< unit, the world's up
   double tan_x, tan_y;      ///< half extents of the picture at distance 1
   double elevation;         ///< degrees
+  double aperture = 0;      ///< diameter of the lens
+  double focus = 0;  ///< distance along `forward` of what is sharp; 0: of what is in the middle
 
   /// Towards a place on the picture, x to the right and y upwards in −1 … 1; length 1 along
   /// `forward`.

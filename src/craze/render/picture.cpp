@@ -8,8 +8,8 @@
 #include "craze/error.h"
 #include "craze/mesh/smooth_normals.h"
 #include "craze/render/film.h"
+#include "craze/render/light/studio.h"
 #include "craze/render/rays/tracer.h"
-#include "craze/render/studio.h"
 
 namespace craze::render {
 
@@ -112,7 +112,13 @@ Framed framed_picture(const SurfaceMesh& mesh, const PictureOptions& options) {
   for (Vec3& p : of.points) p = scale * (p - box.centre);
   View view = options.view;
   if (view.target) view.target = scale * (*view.target - box.centre);
-  const Camera camera = frame(of, view, static_cast<double>(options.width) / options.height);
+  Camera camera = frame(of, view, static_cast<double>(options.width) / options.height);
+  camera.aperture = view.aperture;
+  if (view.focus) {
+    // What lies behind the camera, or in it, cannot be sharp.
+    const Vec3 focus = scale * (*view.focus - box.centre);
+    camera.focus = std::max(1e-3, (focus - camera.eye).dot(camera.forward));
+  }
   return {std::move(of), {camera, box.centre, scale}};
 }
 
@@ -166,7 +172,8 @@ Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
                             scale * line_width(mesh, options) / 2);
   model.lines = lines ? &painter : nullptr;
 
-  const Studio studio(camera, options.backdrop.value_or(options.material.backdrop), options.light);
+  const Studio studio(camera, options.backdrop.value_or(options.material.backdrop), options.light,
+                      options.environment);
   const int groups = (options.samples + RayScene::lanes - 1) / RayScene::lanes;
   context.check();
   const Tracer tracer(model, options.material, camera, studio,

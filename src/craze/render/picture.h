@@ -8,11 +8,11 @@
 #include "craze/context.h"
 #include "craze/render/camera.h"
 #include "craze/render/image.h"
+#include "craze/render/light/studio.h"
 #include "craze/render/material/crack_lines.h"
 #include "craze/render/material/look.h"
 #include "craze/render/material/marks.h"
 #include "craze/render/material/material.h"
-#include "craze/render/studio.h"
 #include "craze/render/subject.h"
 #include "craze/surface_mesh.h"
 
@@ -26,6 +26,7 @@ struct PictureOptions {
   /// that belong together; without points: the mesh's (subject_of).
   Subject subject;
   LampPlace light;
+  EnvironmentPlace environment;
   Material material = find_material("clay");
   /// The mesh's own colours, one per material of it, or one for all; empty: the material's. Walls
   /// and cracks keep the material's, and clear glass has none of its own.

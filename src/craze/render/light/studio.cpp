@@ -1,4 +1,4 @@
-#include "craze/render/studio.h"
+#include "craze/render/light/studio.h"
 
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,8 @@ Vec3f direction(const Vec3& d) {
 
 }  // namespace
 
-Studio::Studio(const Camera& camera, const Rgb& backdrop, const LampPlace& lamp)
+Studio::Studio(const Camera& camera, const Rgb& backdrop, const LampPlace& lamp,
+               const EnvironmentPlace& around)
     : vertical_(direction(camera.vertical)),
       right_(direction(camera.right)),
       up_(direction(camera.up)),
@@ -29,6 +30,7 @@ Studio::Studio(const Camera& camera, const Rgb& backdrop, const LampPlace& lamp)
   lamp_ = direction(-0.75 * camera.right + 0.95 * camera.vertical + (1.3 * above - 0.7) * back);
   window_ = direction(-0.8 * camera.right + (0.12 + 0.5 * above) * camera.vertical +
                       (1.2 * above - 0.62) * back);
+  if (around.environment) light_by(camera, back, around);
   if (lamp.azimuth || lamp.elevation) place_lamp(camera, back, lamp);
   strip_ = direction(0.95 * camera.right + 0.45 * camera.vertical + 0.1 * back);
 }
@@ -48,7 +50,24 @@ void Studio::place_lamp(const Camera& camera, const Vec3& back, const LampPlace&
   window_ = direction(level + elementary::sin(elevation) * camera.vertical);
 }
 
+void Studio::light_by(const Camera& camera, const Vec3& back, const EnvironmentPlace& around) {
+  environment_ = around.environment;
+  const double turn = around.turn * std::numbers::pi / 180;
+  const double c = elementary::cos(turn), s = elementary::sin(turn);
+  to_environment_.row(0) = direction(c * camera.right - s * back);
+  to_environment_.row(1) = direction(camera.vertical);
+  to_environment_.row(2) = direction(c * back + s * camera.right);
+  lamp_light_ = environment_->lamp_light();
+  lamp_size_ = environment_->lamp_size();
+  lamp_ = to_environment_.transpose() * environment_->lamp_direction();
+}
+
+Vec3f Studio::in_environment(const Vec3f& d) const {
+  return to_environment_ * d;
+}
+
 Rgb Studio::sky(const Vec3f& d) const {
+  if (environment_) return environment_->sky(in_environment(d));
   const float height = d.dot(vertical_);
   if (height < 0) return {0.20f, 0.19f, 0.18f};  // light from the floor
   const Rgb zenith(0.42f, 0.44f, 0.48f), horizon(0.26f, 0.27f, 0.29f);
@@ -68,6 +87,9 @@ float Studio::screen(const Vec3f& d, const Vec3f& centre, const Vec3f& upright, 
 }
 
 Rgb Studio::reflection(const Vec3f& d) const {
+  // A brighter one would be a spark in the pixel of a single ray that meets it.
+  constexpr float most = 12;
+  if (environment_) return environment_->radiance(in_environment(d)).min(most);
   const float window = screen(d, window_, vertical_, 0.21f, 0.62f);
   const float strip = screen(d, strip_, vertical_, 0.09f, 0.75f);
   return 0.9f * sky(d) + 5.0f * window * lamp_light_ + 1.6f * strip * Rgb(0.92f, 0.96f, 1.0f);

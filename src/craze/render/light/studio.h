@@ -1,9 +1,12 @@
-// The light a picture is taken in: one large lamp, a bright tent around it, a grey backdrop.
+// The light a picture is taken in: one large lamp, a bright tent around it, a grey backdrop; or a
+// photographed environment's lamp and sky.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "craze/render/camera.h"
+#include "craze/render/light/environment.h"
 #include "craze/render/material/color.h"
 
 namespace craze::render {
@@ -15,14 +18,22 @@ struct LampPlace {
   std::optional<double> azimuth, elevation;
 };
 
+/// Null: the studio's own light. The picture's middle is straight ahead of the camera, turned by so
+/// many degrees to the right.
+struct EnvironmentPlace {
+  std::shared_ptr<const Environment> environment;
+  double turn = 0;
+};
+
 class Studio {
  public:
-  Studio(const Camera& camera, const Rgb& backdrop, const LampPlace& lamp = {});
+  Studio(const Camera& camera, const Rgb& backdrop, const LampPlace& lamp = {},
+         const EnvironmentPlace& around = {});
 
   const Vec3f& vertical() const { return vertical_; }
   const Vec3f& lamp_direction() const { return lamp_; }
   /// Tangent of the half angle under which the lamp is seen: the softness of shadows.
-  float lamp_size() const { return 0.16f; }
+  float lamp_size() const { return lamp_size_; }
   /// Irradiance / π on a surface that faces the unshadowed lamp.
   const Rgb& lamp_light() const { return lamp_light_; }
 
@@ -41,9 +52,14 @@ class Studio {
   float screen(const Vec3f& d, const Vec3f& centre, const Vec3f& upright, float half_width,
                float half_height) const;
 
+  void light_by(const Camera& camera, const Vec3& back, const EnvironmentPlace& around);
+  Vec3f in_environment(const Vec3f& d) const;
+
   Vec3f vertical_, right_, up_, forward_, lamp_, window_, strip_;
-  float tan_x_, tan_y_;
+  float tan_x_, tan_y_, lamp_size_ = 0.16f;
   Rgb lamp_light_, backdrop_;
+  std::shared_ptr<const Environment> environment_;
+  Eigen::Matrix3f to_environment_;
 };
 
 }  // namespace craze::render

@@ -44,6 +44,12 @@ float tent(float u) {
   return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
 }
 
+Point2f on_disc(Point2f u) {
+  const float r = std::sqrt(u.x), phi = 2 * std::numbers::pi_v<float> * u.y;
+  return {static_cast<float>(r * elementary::cos(phi)),
+          static_cast<float>(r * elementary::sin(phi))};
+}
+
 }  // namespace
 
 Point2f sobol_point(std::uint32_t index, std::uint32_t seed) {
@@ -56,14 +62,14 @@ SampleTable::SampleTable(int count, std::uint64_t seed)
     : count_(static_cast<std::size_t>(count)), seed_(seed) {
   lens_.reserve(sets * count_);
   disc_.reserve(sets * count_);
+  aperture_.reserve(sets * count_);
   for (std::uint32_t set = 0; set < sets; ++set) {
     const auto key = static_cast<std::uint32_t>(hash_bits(seed ^ hash_bits(set)));
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
-      const Point2f u = sobol_point(i, key), v = sobol_point(i, key ^ 0x5bd1e995u);
+      const Point2f u = sobol_point(i, key);
       lens_.push_back({tent(u.x), tent(u.y)});
-      const float r = std::sqrt(v.x), phi = 2 * std::numbers::pi_v<float> * v.y;
-      disc_.push_back({static_cast<float>(r * elementary::cos(phi)),
-                       static_cast<float>(r * elementary::sin(phi))});
+      disc_.push_back(on_disc(sobol_point(i, key ^ 0x5bd1e995u)));
+      aperture_.push_back(on_disc(sobol_point(i, key ^ 0x27d4eb2fu)));
     }
   }
 }
@@ -73,7 +79,8 @@ PixelSamples SampleTable::of_pixel(std::uint64_t pixel) const {
   // The lamp and the sky take different sets.
   const std::uint64_t lens = h % sets, lamp = (h >> 16) % sets;
   const std::uint64_t sky = (lamp + 1 + (h >> 32) % (sets - 1)) % sets;
-  return {&lens_[lens * count_], &disc_[lamp * count_], &disc_[sky * count_]};
+  return {&lens_[lens * count_], &disc_[lamp * count_], &disc_[sky * count_],
+          &aperture_[lens * count_]};
 }
 
 void complete_frame(const Vec3f& n, Vec3f& s, Vec3f& t) {

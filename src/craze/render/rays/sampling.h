@@ -22,6 +22,7 @@ struct PixelSamples {
   const Point2f* lens;  ///< offsets from the pixel's centre in pixels, a tent filter of radius 1
   const Point2f* lamp;  ///< on the unit disc
   const Point2f* sky;   ///< on the unit disc
+  const Point2f* aperture;  ///< on the unit disc
 };
 
 /// A fixed number of sample sets; each pixel picks from them by its number.
@@ -36,7 +37,7 @@ class SampleTable {
 
   std::size_t count_;
   std::uint64_t seed_;
-  std::vector<Point2f> lens_, disc_;  // set by set
+  std::vector<Point2f> lens_, disc_, aperture_;  // set by set
 };
 
 /// Two unit vectors that complete n (unit) to a right-handed frame.

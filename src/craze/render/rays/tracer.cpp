@@ -31,6 +31,8 @@ Tracer::Tracer(const TracedModel& model, const Material& material, const Camera&
       scene_(model.positions, model.triangles),
       light_left_(model, material, scene_),
       has_floor_(!standing.empty()),
+      lens_radius_(static_cast<float>(camera.aperture / 2)),
+      focus_(static_cast<float>(camera.focus)),
       groups_(groups),
       samples_(groups * RayScene::lanes, seed) {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -40,6 +42,10 @@ Tracer::Tracer(const TracedModel& model, const Material& material, const Camera&
   }
   // A flat sheet floats a little, so that its edge throws a shadow.
   floor_height_ = static_cast<float>(lowest - (highest - lowest < 0.02 ? 0.008 : 2e-4));
+  if (lens_radius_ == 0 || focus_ > 0) return;
+  const Ray middle{camera.eye.cast<float>(), camera.forward.cast<float>(), 0, true};
+  const Hit hit = scene_.intersect(middle);
+  focus_ = hit.face >= 0 ? hit.distance : static_cast<float>(-camera.eye.dot(camera.forward));
 }
 
 Surface Tracer::floor_or_backdrop(const Ray& ray) const {
@@ -64,11 +70,13 @@ Rgb Tracer::backdrop(const Vec3f& direction) const {
 float Tracer::floor_light(const Surface& s, float lamp_left, float sky_left) const {
   // Glass lets most of the light through.
   const float shade = material_.glass ? 0.35f : 0.9f;
-  const float lamp = luminance(studio_.lamp_light()) * s.normal.dot(studio_.lamp_direction());
+  // A lamp below the floor does not light it.
+  const float lamp =
+      luminance(studio_.lamp_light()) * std::max(0.0f, s.normal.dot(studio_.lamp_direction()));
   const float sky = luminance(studio_.sky(studio_.vertical()));
   const float received = lamp_left * lamp + (0.12f * (1 - sky_left) + sky_left) * sky;
   const float near = 1 - smoothstep(0.5f * floor_radius, floor_radius, s.position.norm());
-  return 1 - shade * near * (1 - received / (lamp + sky));
+  return 1 - shade * near * (1 - received / std::max(lamp + sky, 1e-4f));
 }
 
 Rgb Tracer::object_light(const Surface& s, const Ray& to_lamp, float lamp, const Ray& to_sky,
@@ -152,6 +160,8 @@ Pixel Tracer::trace(int x, int y, int width, int height) const {
       camera_.ray(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height).cast<float>();
   const Vec3f right = (2 * camera_.tan_x / width * camera_.right).cast<float>();
   const Vec3f down = (-2 * camera_.tan_y / height * camera_.up).cast<float>();
+  const Vec3f lens_right = lens_radius_ * camera_.right.cast<float>();
+  const Vec3f lens_up = lens_radius_ * camera_.up.cast<float>();
 
   Pixel sum;
   // The same for all samples of a layer: it is far coarser than a pixel.
@@ -163,6 +173,12 @@ Pixel Tracer::trace(int x, int y, int width, int height) const {
     for (int i = 0; i < RayScene::lanes; ++i) {
       const Point2f offset = samples.lens[first + i];
       rays[i] = {eye, centre + offset.x * right + offset.y * down, 0, true};
+      if (lens_radius_ == 0) continue;
+      // Rays through all of a thin lens meet where it is sharp.
+      const Point2f through = samples.aperture[first + i];
+      const Vec3f aside = through.x * lens_right + through.y * lens_up;
+      rays[i].origin += aside;
+      rays[i].direction -= aside / focus_;
     }
     scene_.intersect(rays, hits);
 

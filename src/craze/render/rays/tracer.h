@@ -6,12 +6,12 @@
 #include <optional>
 
 #include "craze/render/film.h"
+#include "craze/render/light/studio.h"
 #include "craze/render/material/material.h"
 #include "craze/render/material/surface.h"
 #include "craze/render/rays/light_left.h"
 #include "craze/render/rays/ray_scene.h"
 #include "craze/render/rays/sampling.h"
-#include "craze/render/studio.h"
 
 namespace craze::render {
 
@@ -54,6 +54,7 @@ class Tracer {
   LightLeft light_left_;
   bool has_floor_;
   float floor_height_ = 0;
+  float lens_radius_, focus_;  // of a thin lens; the distance of what is sharp, along the axis
   int groups_;
   SampleTable samples_;
 };

@@ -19,7 +19,7 @@
 #include "craze/products/cut_surface.h"
 #include "craze/products/opening/opened_surface.h"
 #include "craze/products/opening/shading_normals.h"
-#include "craze/render/studio.h"
+#include "craze/render/light/studio.h"
 #include "craze/render/subject.h"
 
 namespace craze {
