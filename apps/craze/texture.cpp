@@ -7,7 +7,6 @@
 #include "craze/error.h"
 #include "craze/job/output_folder.h"
 #include "craze/presets.h"
-#include "craze/recipe/length_text.h"
 #include "map_options.h"
 #include "run_options.h"
 
@@ -22,23 +21,12 @@ struct Options {
   RunOptions run;
 };
 
-/// A length of the world makes the tile's own unit the metre.
-TileSize read_period(const std::string& text) {
-  const std::optional<Length> length = parse_length(text);
-  const bool is_size = length && length->unit() != LengthUnit::percent && length->number() > 0;
-  if (!is_size) {
-    throw Error(ErrorKind::usage, "wrong period", text, "give a length above 0, such as 2 or 40cm");
-  }
-  if (length->unit() == LengthUnit::own) return {length->number(), 0};
-  return {length->number() * metres(length->unit()), 1};
-}
-
 int texture(Options& options) {
   TextureRequest& request = options.request;
   request.recipe = read_preset(options.preset);
   for (const std::string& setting : options.settings) apply_set(request.recipe, setting);
   if (!options.seed.empty()) apply_set(request.recipe, "seed=" + options.seed);
-  request.tile = read_period(options.period);
+  request.tile = read_tile_size(options.period);
   check_output_folder("the textures", request.maps.folder);
   const Report report = make_texture(request, Run(options.run).context());
   print_warnings(options.run, report.warnings);

@@ -1,5 +1,7 @@
 // Maps of a run.
 #include "callback_context.h"
+#include "craze/products/maps/bake_surface.h"
+#include "craze/products/maps/tile_textures.h"
 #include "guard.h"
 #include "handles.h"
 
@@ -9,16 +11,24 @@ using namespace craze::c;
 namespace {
 
 /// The maps of a list with commas; none where it is null.
-std::vector<MapKind> kinds_of(const char* names) {
+std::vector<MapKind> kinds_of(const char* names, bool of_tile = false) {
   std::vector<MapKind> kinds;
   if (!names) return kinds;
   const std::string list = names;
   for (std::size_t begin = 0; begin <= list.size();) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
-    kinds.push_back(find_map(list.substr(begin, end - begin)));
+    kinds.push_back(find_map(list.substr(begin, end - begin), of_tile));
     begin = end + 1;
   }
   return kinds;
+}
+
+std::unique_ptr<craze_maps> new_maps(std::vector<Map> maps, std::vector<std::string> warnings) {
+  auto made = std::make_unique<craze_maps>();
+  made->maps = std::move(maps);
+  made->warnings = std::move(warnings);
+  for (const Map& map : made->maps) made->names.push_back(map_name(map.header));
+  return made;
 }
 
 /// Throws Error(usage) where there is none.
@@ -45,10 +55,28 @@ craze_maps* craze_job_bake(const craze_job* job, int32_t size, const char* names
     options.post.gap = gap;
     options.post.wall = wall;
     const CallbackContext context(*job);
-    auto baked = std::make_unique<craze_maps>();
-    baked->maps = baked_maps(*job->result, options, baked->warnings, context.get());
-    for (const Map& map : baked->maps) baked->names.push_back(map_name(map.header));
-    return baked.release();
+    std::vector<std::string> warnings;
+    std::vector<Map> maps = baked_maps(*job->result, options, warnings, context.get());
+    return new_maps(std::move(maps), std::move(warnings)).release();
+  });
+}
+
+craze_maps* craze_job_texture(const craze_job* job, const char* period, int32_t size,
+                              const char* names, int32_t green_up, craze_error* error) {
+  return guarded(error, [&] {
+    require(job, "job");
+    require(period, "period");
+    MapOptions options;
+    options.size = size;
+    options.maps = kinds_of(names, true);
+    options.green_up = green_up != 0;
+    TileTextures::check(options);
+    const CallbackContext context(*job);
+    const TileTextures made(job->recipe, read_tile_size(period), context.get());
+    std::vector<Map> maps;
+    MapsInMemory sink(maps);
+    made.bake(options, sink, context.get());
+    return new_maps(std::move(maps), made.tile().report.warnings).release();
   });
 }
 

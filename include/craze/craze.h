@@ -300,6 +300,13 @@ CRAZE_API craze_status craze_maps_array(const craze_maps* maps, int64_t i, craze
  * of its columns: the ranges of craze crack --maps. */
 CRAZE_API craze_status craze_maps_range(const craze_maps* maps, int64_t i, double low[3],
                                         double high[3], craze_error* error);
+/* A tileable set of textures (docs/textures.md): cracks a flat torus by the job's recipe and bakes
+ * its maps, "base_color" and "roughness" among them. The job needs no mesh, and a run that it has
+ * stays. `period`: the side, "2" in the tile's own unit or a length such as "40cm". `names`: NULL:
+ * base_color, normal, height, occlusion, roughness, mask, fragment. CRAZE_REQUEST where the recipe
+ * asks for what a tile has not. */
+CRAZE_API craze_maps* craze_job_texture(const craze_job* job, const char* period, int32_t size,
+                                        const char* names, int32_t green_up, craze_error* error);
 /* What could not be done as asked, one sentence at a time; NULL beyond the last. */
 CRAZE_API const char* craze_maps_warning(const craze_maps* maps, int64_t i);
 

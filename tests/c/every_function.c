@@ -267,6 +267,35 @@ static void maps_are_baked(craze_job* job) {
   EXPECT_ERROR(craze_job_bake(NULL, 32, NULL, 1, 0, 0, e), CRAZE_USAGE);
 }
 
+static void a_tile_is_baked(void) {
+  int calls = 0;
+  craze_array map;
+  craze_maps* maps;
+  craze_job* job = craze_job_new();
+  EXPECT(craze_job_set_preset(job, "mud", NULL) == CRAZE_OK);
+  craze_job_set_progress(job, count_calls, &calls);
+  maps = craze_job_texture(job, "40cm", 16, "base_color,mask", 1, NULL);
+  EXPECT(maps != NULL && calls > 0);
+  EXPECT(strcmp(craze_maps_name(maps, 0), "base_color") == 0);
+  EXPECT(strcmp(craze_maps_name(maps, 1), "mask") == 0);
+  EXPECT(craze_maps_array(maps, 0, &map, NULL) == CRAZE_OK);
+  EXPECT(map.rows == 16 * 16 && map.columns == 3);
+  craze_maps_free(maps);
+  EXPECT_ERROR(craze_job_texture(job, "0", 16, NULL, 1, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_texture(job, "3%", 16, NULL, 1, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_texture(job, NULL, 16, NULL, 1, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_texture(job, "1", 0, NULL, 1, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_texture(job, "1", 16, "position", 1, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_texture(job, "1", 16, "stones", 1, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_job_texture(NULL, "1", 16, NULL, 1, e), CRAZE_USAGE);
+  EXPECT(craze_job_set(job, "layer.spacing", "0.5", NULL) == CRAZE_OK);
+  EXPECT_ERROR(craze_job_texture(job, "1", 16, NULL, 1, e), CRAZE_REQUEST);
+  craze_job_set_progress(job, stop_at_once, NULL);
+  EXPECT(craze_job_set(job, "layer.spacing", "0", NULL) == CRAZE_OK);
+  EXPECT_ERROR(craze_job_texture(job, "1", 16, NULL, 1, e), CRAZE_CANCELLED);
+  craze_job_free(job);
+}
+
 static void check_solids(craze_job* job) {
   double volume = 0, centre[3], inertia[9];
   craze_mesh *mesh, *hull;
@@ -463,6 +492,7 @@ static void a_run_gives_what_it_should(void) {
 int main(int count, char** arguments) {
   the_catalogue_is_there();
   a_mesh_keeps_what_it_is_given(count > 1 ? arguments[1] : ".");
+  a_tile_is_baked();
   a_run_gives_what_it_should();
   if (failures == 0) puts("every function of craze.h does what it says");
   return failures == 0 ? 0 : 1;

@@ -16,11 +16,14 @@ const std::map<std::string, std::set<std::string>> may_use = {
     {"model", {"base", "mesh"}},
     {"recipe", {"base", "mesh", "model"}},
     {"engine", {"base", "mesh", "model", "recipe"}},
-    {"products", {"base", "mesh", "model", "recipe", "engine"}},
+    {"material", {"base"}},
+    {"products", {"base", "mesh", "model", "recipe", "engine", "material"}},
     {"io", {"base", "mesh"}},
     {"output", {"base", "mesh", "model", "recipe", "engine", "products", "io"}},
-    {"render", {"base", "mesh", "model", "products", "io"}},
-    {"job", {"base", "mesh", "model", "recipe", "engine", "products", "io", "output", "render"}},
+    {"render", {"base", "mesh", "model", "products", "material", "io"}},
+    {"job",
+     {"base", "mesh", "model", "recipe", "engine", "products", "material", "io", "output",
+      "render"}},
 };
 
 /// The room that each public header, include/craze/NAME.h, is the door of.

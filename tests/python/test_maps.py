@@ -67,5 +67,55 @@ class Maps(Case):
         self.assertIn("UVs", str(caught.exception))
 
 
+class Textures(Case):
+    def test_all_are_arrays_by_name(self):
+        maps = craze.texture("mud", 24, **{"layer.spacing": 0.2})
+        self.assertEqual(
+            set(maps), set("base_color normal height occlusion roughness mask fragment".split())
+        )
+        for name, values in maps.items():
+            color = name in ("normal", "base_color")
+            self.assertEqual(values.shape, (24, 24, 3) if color else (24, 24), name)
+            self.assertTrue(np.isfinite(values).all(), name)
+
+    def test_the_period_is_a_scale(self):
+        """A tile of 40 cm has the pattern of one of 40 units, and heights 100 times less."""
+        wide = craze.texture("mud", 24, 40.0, ["height"], seed=3)["height"]
+        small = craze.texture("mud", 24, "40cm", ["height"], seed=3)["height"]
+        self.assertLess(wide.min(), 0)
+        np.testing.assert_allclose(small, wide / 100, rtol=1e-5, atol=1e-7)
+
+    def test_seeds_differ_and_repeat(self):
+        first, again, other = (
+            craze.texture("mud", 16, maps="mask", seed=s)["mask"] for s in (1, 1, 2)
+        )
+        np.testing.assert_array_equal(first, again)
+        self.assertFalse(np.array_equal(first, other))
+
+    def test_wrong_wishes_are_refused_with_a_reason(self):
+        for wish, words in (
+            (dict(size=0), "size"),
+            (dict(period=0), "period"),
+            (dict(period="3%"), "period"),
+            (dict(period=float("nan")), "period"),
+            (dict(period=[1]), "period"),
+            (dict(maps=["position"]), "position"),
+            (dict(maps=["stones"]), "stones"),
+            (dict(green="left"), "green"),
+            (dict(recipe="custard"), "custard"),
+            ({"layer.spacing": 0.5}, "quarter"),
+            ({"where.materials": ["a"]}, "material"),
+        ):
+            with self.assertRaisesRegex(craze.Error, words):
+                craze.texture(**wish)
+
+    def test_what_a_progress_function_raises_comes_out(self):
+        def stop(*_):
+            raise KeyError("enough")
+
+        with self.assertRaises(KeyError):
+            craze.texture("mud", 16, progress=stop)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -16,6 +16,7 @@ from ._lines import Lines
 from ._mesh import Mesh, read, shape
 from ._run import Result, crack
 from ._statistics import stats
+from ._texture import texture
 
 __version__: str = call("craze_version").decode()
 
@@ -31,6 +32,7 @@ __all__ = [
     "read",
     "shape",
     "stats",
+    "texture",
 ]
 
 

@@ -105,6 +105,7 @@ _FUNCTIONS: dict[str, tuple[Any, list[Any], bool]] = {
     ),
     "craze_job_open_post": (c_void_p, [c_void_p, c_char_p], True),
     "craze_job_bake": (c_void_p, [c_void_p, c_int32, c_char_p, c_int32, c_double, c_double], True),
+    "craze_job_texture": (c_void_p, [c_void_p, c_char_p, c_int32, c_char_p, c_int32], True),
     "craze_maps_free": (None, [c_void_p], False),
     "craze_maps_name": (c_char_p, [c_void_p, c_int64], False),
     "craze_maps_array": (c_int, [c_void_p, c_int64, POINTER(CArray)], True),

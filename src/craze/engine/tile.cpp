@@ -16,6 +16,7 @@
 #include "craze/mesh/shapes/periodic_square.h"
 #include "craze/model/screening.h"
 #include "craze/recipe/check_recipe.h"
+#include "craze/recipe/length_text.h"
 #include "craze/recipe/own_lengths.h"
 
 namespace craze {
@@ -77,6 +78,17 @@ void roughen_tile(CrackedTile& tile, const Context& context) {
 }
 
 }  // namespace
+
+TileSize read_tile_size(const std::string& period) {
+  const std::optional<Length> length = parse_length(period);
+  const bool is_size = length && length->unit() != LengthUnit::percent && length->number() > 0;
+  if (!is_size) {
+    throw Error(ErrorKind::usage, "wrong period", period,
+                "give a length above 0, such as 2 or 40cm");
+  }
+  if (length->unit() == LengthUnit::own) return {length->number(), 0};
+  return {length->number() * metres(length->unit()), 1};
+}
 
 CrackedTile crack_tile(const Recipe& recipe, const TileSize& size, const Context& context) {
   const auto start = std::chrono::steady_clock::now();

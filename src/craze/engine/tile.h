@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "craze/context.h"
 #include "craze/engine/asset/carry_onto_asset.h"
@@ -19,6 +20,10 @@ struct TileSize {
   double side = 1;             ///< model units, > 0
   double metres_per_unit = 0;  ///< 0: not known; mesh.unit says it then, where it is given
 };
+
+/// Of the text of a side: "2", in the tile's own unit, or a length of the world such as "40cm",
+/// which makes that unit the metre. Throws Error(usage).
+TileSize read_tile_size(const std::string& period);
 
 /// A finished run on a flat torus (Period): its cracks run on over the sides of the square, which
 /// are no lines of it.

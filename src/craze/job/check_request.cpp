@@ -12,8 +12,8 @@
 #include "craze/job/output_folder.h"
 #include "craze/job/output_place.h"
 #include "craze/job/run.h"
+#include "craze/material/material.h"
 #include "craze/recipe/check_recipe.h"
-#include "craze/render/material/material.h"
 #include "craze/render/video.h"
 #include "craze/write_mesh.h"
 

@@ -3,8 +3,8 @@
 
 #include "craze/context.h"
 #include "craze/maps.h"
+#include "craze/material/material.h"
 #include "craze/render/image.h"
-#include "craze/render/material/material.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {

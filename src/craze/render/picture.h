@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "craze/context.h"
+#include "craze/material/material.h"
 #include "craze/render/camera.h"
 #include "craze/render/image.h"
 #include "craze/render/light/studio.h"
 #include "craze/render/material/crack_lines.h"
 #include "craze/render/material/look.h"
 #include "craze/render/material/marks.h"
-#include "craze/render/material/material.h"
 #include "craze/render/subject.h"
 #include "craze/surface_mesh.h"
 

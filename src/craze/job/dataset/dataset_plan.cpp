@@ -1,6 +1,6 @@
 #include "craze/job/dataset/dataset_plan.h"
 
-#include "craze/render/material/material.h"
+#include "craze/material/material.h"
 
 namespace craze {
 

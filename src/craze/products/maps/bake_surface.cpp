@@ -16,27 +16,6 @@ namespace craze {
 
 namespace {
 
-void check_options(const MapOptions& options) {
-  const auto wrong = [](const char* what, const std::string& where, const char* why) {
-    throw Error(ErrorKind::usage, what, where, why);
-  };
-  if (options.size < 1 || options.size > MapOptions::largest_size) {
-    wrong("wrong size of maps", std::to_string(options.size), "must be in [1, 8192]");
-  }
-  std::set<MapKind> seen;
-  for (const MapKind kind : options.maps) {
-    if (kind > map_table().back().kind) {
-      wrong("surfaces have no such map", std::string(map_info(kind).name), "tiles have");
-    }
-    if (!seen.insert(kind).second) {
-      wrong("the same map twice", std::string(map_info(kind).name), "ask for it once");
-    }
-  }
-  const auto is_length = [](double x) { return std::isfinite(x) && x >= 0; };
-  if (!is_length(options.post.gap)) wrong("wrong gap", "post.gap", "must be finite, 0 or more");
-  if (!is_length(options.post.wall)) wrong("wrong wall", "post.wall", "must be finite, 0 or more");
-}
-
 bool asks_for(const MapOptions& options, MapKind kind) {
   return std::find(options.maps.begin(), options.maps.end(), kind) != options.maps.end();
 }
@@ -113,9 +92,30 @@ class Ranges {
 
 }  // namespace
 
+void check_map_options(const MapOptions& options) {
+  const auto wrong = [](const char* what, const std::string& where, const char* why) {
+    throw Error(ErrorKind::usage, what, where, why);
+  };
+  if (options.size < 1 || options.size > MapOptions::largest_size) {
+    wrong("wrong size of maps", std::to_string(options.size), "must be in [1, 8192]");
+  }
+  std::set<MapKind> seen;
+  for (const MapKind kind : options.maps) {
+    if (kind > map_table().back().kind) {
+      wrong("surfaces have no such map", std::string(map_info(kind).name), "tiles have");
+    }
+    if (!seen.insert(kind).second) {
+      wrong("the same map twice", std::string(map_info(kind).name), "ask for it once");
+    }
+  }
+  const auto is_length = [](double x) { return std::isfinite(x) && x >= 0; };
+  if (!is_length(options.post.gap)) wrong("wrong gap", "post.gap", "must be finite, 0 or more");
+  if (!is_length(options.post.wall)) wrong("wrong wall", "post.wall", "must be finite, 0 or more");
+}
+
 std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options, MapSink& sink,
                                       const Context& context) {
-  check_options(options);
+  check_map_options(options);
   if (options.maps.empty()) {
     for (const MapInfo& info : map_table()) options.maps.push_back(info.kind);
   }

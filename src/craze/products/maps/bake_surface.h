@@ -10,6 +10,9 @@
 
 namespace craze {
 
+/// Throws Error(usage) for options that bake_surface() would not take.
+void check_map_options(const MapOptions& options);
+
 /// As bake_maps() says, of what it is all made from. Throws Error(usage) for wrong options, and
 /// Cancelled.
 std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options, MapSink& sink,

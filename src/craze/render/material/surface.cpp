@@ -4,6 +4,7 @@
 
 #include "craze/base/random.h"
 #include "craze/render/material/noise.h"
+#include "craze/render/material/pattern.h"
 
 namespace craze::render {
 

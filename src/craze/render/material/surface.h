@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/material/material.h"
 #include "craze/render/material/crack_lines.h"
 #include "craze/render/material/look.h"
 #include "craze/render/material/marks.h"
-#include "craze/render/material/material.h"
 #include "craze/render/rays/ray_scene.h"
 #include "craze/surface_mesh.h"
 

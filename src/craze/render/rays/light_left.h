@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "craze/render/material/material.h"
+#include "craze/material/material.h"
 #include "craze/render/material/surface.h"
 #include "craze/render/rays/ray_scene.h"
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "craze/material/material.h"
 #include "craze/render/film.h"
 #include "craze/render/light/studio.h"
-#include "craze/render/material/material.h"
 #include "craze/render/material/surface.h"
 #include "craze/render/rays/light_left.h"
 #include "craze/render/rays/ray_scene.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "craze/job/plan/plan.h"
-#include "craze/render/material/material.h"
+#include "craze/material/material.h"
 
 namespace craze {
 

@@ -1,9 +1,9 @@
-#include "craze/job/tile_look.h"
+#include "craze/products/maps/tile_look.h"
 
 #include <algorithm>
 
 #include "craze/engine/run_outcome.h"
-#include "craze/render/material/material.h"
+#include "craze/material/material.h"
 
 namespace craze {
 

@@ -1,4 +1,4 @@
-#include "craze/render/material/material.h"
+#include "craze/material/material.h"
 
 #include "craze/error.h"
 

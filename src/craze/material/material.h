@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "craze/render/material/color.h"
-#include "craze/render/material/pattern.h"
+#include "craze/material/pattern.h"
+#include "craze/material/rgb.h"
 
 namespace craze::render {
 

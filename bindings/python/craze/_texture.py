@@ -1,0 +1,74 @@
+"""Tileable textures: a recipe in, maps out."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from typing import Any, Iterable, Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from ._library import Error, Handle, call, listed, shown, text_bytes, whole
+from ._maps import arrays, green_up, name_list
+from ._recipe import set_key, set_recipe
+from ._watch import ProgressCallback, run
+
+
+def texture(
+    recipe: str | os.PathLike[Any] | Mapping[str, Any] = "mud",
+    size: int = 1024,
+    period: float | str = 1,
+    maps: Iterable[str] | None = None,
+    green: str = "up",
+    seed: int | None = None,
+    threads: int = 0,
+    progress: ProgressCallback | None = None,
+    **settings: Any,
+) -> dict[str, npt.NDArray[np.float32]]:
+    """A tileable set of textures of a recipe, size × size texels, the first row that of the top
+    (v = 1): (size, size) or (size, size, 3). What craze texture writes with --map-format exr.
+
+    recipe, seed, threads, progress, settings : as of crack()
+    period : side of the tile: a number in the tile's own unit, or a length such as "40cm"
+    maps : names of docs/textures.md; base_color, normal, height, occlusion, roughness, mask and
+        fragment where none are given
+    green : "up" or "down" with v, of normals
+
+    Raises Error where the recipe asks for what a tile has not. What else could not be done as asked
+    is a UserWarning.
+    """
+    if progress is not None and not callable(progress):
+        raise Error(f"wrong progress ({shown(progress)}): must be a function")
+    job = Handle(call("craze_job_new"), "craze_job_free")
+    set_recipe(job, recipe)
+    for key, value in settings.items():
+        set_key(job, key, value)
+    if seed is not None:
+        set_key(job, "seed", whole(seed, "seed", 0, 2**53))
+    call("craze_job_set_threads", job.pointer, whole(threads, "threads", 0, 1024))
+    handle: Handle = run(
+        job,
+        progress,
+        "craze_job_texture",
+        text_bytes(_side(period), "period"),
+        whole(size, "size", 1, 8192),
+        name_list(maps),
+        green_up(green),
+        take=lambda pointer: Handle(pointer, "craze_maps_free"),
+    )
+    for sentence in listed("craze_maps_warning", handle.pointer):
+        warnings.warn(sentence, stacklevel=2)
+    return arrays(handle)
+
+
+def _side(period: Any) -> str:
+    """As craze.h takes it."""
+    if isinstance(period, str):
+        return period
+    try:
+        return repr(float(period))
+    except (TypeError, ValueError):
+        raise Error(
+            f"wrong period ({shown(period)}): must be a number, or a text such as 40cm"
+        ) from None
