@@ -7,7 +7,7 @@ from typing import Any
 import bpy
 
 from . import crack_nodes, mesh_out
-from .nodes import add
+from .nodes import add, give_nodes, has_nodes
 
 USED = ("mask", "height", "distance")  # the maps that the group takes
 PREFIX = "Craze "  # of the names of our nodes
@@ -43,21 +43,22 @@ def _own(thing: Any, old: Any) -> Any:
     """A material that may be changed."""
     if old is None:
         new = bpy.data.materials.new(f"{thing.name} surface")
-    elif old.use_nodes and crack_nodes.GROUP in old.node_tree.nodes:
+    elif has_nodes(old) and crack_nodes.GROUP in old.node_tree.nodes:
         return old
     else:
         new = old.copy()
         new.name = f"{old.name} cracks"
-    if not new.use_nodes:
+    if not has_nodes(new):
         colour = tuple(new.diffuse_color)
-        new.use_nodes = True
-        shader = _shader(new.node_tree)
+        give_nodes(new)
+        shader = principled(new.node_tree)
         if shader is not None:
             shader.inputs["Base Color"].default_value = colour
     return new
 
 
-def _shader(tree: Any) -> Any:
+def principled(tree: Any) -> Any:
+    """Its Principled BSDF, or None."""
     return next((n for n in tree.nodes if n.bl_idname == "ShaderNodeBsdfPrincipled"), None)
 
 
@@ -87,7 +88,7 @@ def _show(tree: Any, pictures: dict[str, Any], uv: str, reach: float) -> bool:
 
 def _wire_shader(tree: Any, group: Any) -> None:
     """The group comes before the shader's colour and normal, and takes what was there."""
-    shader = _shader(tree)
+    shader = principled(tree)
     if shader is None:
         return
     link = tree.links.new

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Iterator
+from typing import Any, Generator, Iterator
 
 import numpy as np
+
+ROWS = 1 << 15  # elements that are mixed at a step
 
 # data_type: (property, dtype, columns, mixed by weights; others are taken from the nearest).
 _TYPES: dict[str, tuple[str, Any, int, bool]] = {
@@ -21,7 +23,7 @@ _TYPES: dict[str, tuple[str, Any, int, bool]] = {
     "FLOAT_VECTOR": ("vector", np.float32, 3, True),
     "FLOAT2": ("vector", np.float32, 2, True),
     "FLOAT_COLOR": ("color", np.float32, 4, True),
-    "BYTE_COLOR": ("color", np.float32, 4, True),
+    "BYTE_COLOR": ("color_srgb", np.float32, 4, True),  # as it is stored, and as Blender mixes it
     "QUATERNION": ("value", np.float32, 4, False),
     "INT32_2D": ("value", np.int32, 2, False),
     "FLOAT4X4": ("value", np.float32, 16, False),
@@ -72,6 +74,12 @@ class Maps:
     def _between(self) -> np.ndarray:
         return np.flatnonzero(~self.whole)
 
+    @cached_property
+    def parts(self) -> list[Maps]:
+        """The same, ROWS elements each."""
+        begins = range(0, len(self.index), ROWS)
+        return [Maps(self.index[i : i + ROWS], self.weight[i : i + ROWS]) for i in begins]
+
     def mixed(self, values: np.ndarray) -> np.ndarray:
         """(n, c) of (s, c). A weight of 1 copies, to the bit."""
         made = values[self.nearest]
@@ -98,12 +106,21 @@ def maps(arrays: dict[str, np.ndarray]) -> dict[str, Maps]:
     }
 
 
+def _fast(collection: Any, name: str, dtype: Any) -> Any:
+    """Blender copies whole numbers at once where they are signed as its own are, else one by one."""
+    if dtype is np.int32 and len(collection):
+        if collection[0].bl_rna.properties[name].subtype == "UNSIGNED":
+            return np.uint32
+    return dtype
+
+
 def get(collection: Any, name: str, dtype: Any, columns: int = 1) -> np.ndarray:
     """(n, columns) of a property of a collection; (n,) for one column."""
     if dtype is object:
         return np.array([getattr(item, name) for item in collection], object)
-    values = np.empty(len(collection) * columns, dtype)
+    values = np.empty(len(collection) * columns, _fast(collection, name, dtype))
     collection.foreach_get(name, values)
+    values = values.view(dtype)
     return values.reshape(-1, columns) if columns > 1 else values
 
 
@@ -112,27 +129,40 @@ def put(collection: Any, name: str, values: np.ndarray) -> None:
         for item, value in zip(collection, values):
             setattr(item, name, value)
     else:
-        collection.foreach_set(name, np.ascontiguousarray(values).reshape(-1))
+        flat = np.ascontiguousarray(values).reshape(-1)
+        collection.foreach_set(name, flat.view(_fast(collection, name, flat.dtype.type)))
 
 
-def _taken(of: Maps, values: np.ndarray, mixed: bool) -> np.ndarray:
-    if mixed:
-        return of.mixed(values.reshape(len(values), -1)).reshape(-1, *values.shape[1:])
-    near = of.nearest
-    made = values[near]
-    made[near < 0] = b"" if values.dtype == object else values.dtype.type(0)
-    return made
+def taken(
+    of: Maps, values: np.ndarray, mixed: bool = True
+) -> Generator[None, None, np.ndarray]:
+    """Values of the source, (s,) or (s, c), for each element: mixed by the weights or those of the
+    nearest. Yields after each of the parts."""
+    rows = values.reshape(len(values), -1)
+    made = np.empty((len(of.index), rows.shape[1]), rows.dtype)
+    begin = 0
+    for part in of.parts:
+        end = begin + len(part.index)
+        if mixed:
+            made[begin:end] = part.mixed(rows)
+        else:
+            made[begin:end] = rows[part.nearest]
+            made[begin:end][part.nearest < 0] = b"" if rows.dtype == object else 0
+        begin = end
+        yield
+    return made.reshape(-1, *values.shape[1:])
 
 
-def carry(source: Any, target: Any, of: dict[str, Maps]) -> Iterator[str]:
-    """Carries all layers but weights and shape keys from one mesh to another, one at a step; yields
+def carry(source: Any, target: Any, of: dict[str, Maps]) -> Iterator[str | None]:
+    """Carries all layers but weights and shape keys from one mesh to another, in steps; yields
     names of what cannot be."""
     uv_names = {layer.name for layer in source.uv_layers}
     for layer in list(source.uv_layers):
+        values = yield from taken(of["CORNER"], get(layer.data, "uv", np.float32, 2))
         new = target.uv_layers.new(name=layer.name, do_init=False)
-        put(new.data, "uv", of["CORNER"].mixed(get(layer.data, "uv", np.float32, 2)))
+        put(new.data, "uv", values)
         new.active_render = layer.active_render
-        yield ""
+        yield
     if source.uv_layers.active is not None and target.uv_layers:
         target.uv_layers.active_index = source.uv_layers.active_index
     for attribute in list(source.attributes):
@@ -144,20 +174,23 @@ def carry(source: Any, target: Any, of: dict[str, Maps]) -> Iterator[str]:
             continue
         property_, dtype, columns, mixed = _TYPES[attribute.data_type]
         values = get(attribute.data, property_, dtype, columns)
+        yield
+        values = yield from taken(of[attribute.domain], values, mixed)
         new = target.attributes.get(name) or target.attributes.new(
             name, attribute.data_type, attribute.domain
         )
-        put(new.data, property_, _taken(of[attribute.domain], values, mixed))
-        yield ""
+        put(new.data, property_, values)
+        yield
     _carry_active_colour(source, target)
     for collection, name, dtype, domain, mixed in _OWN:
         items = getattr(source, collection)
         if len(items) == 0 or not hasattr(items[0], name):
             continue
         values = get(items, name, dtype)
+        yield
         if values.any():
-            put(getattr(target, collection), name, _taken(of[domain], values, mixed))
-        yield ""
+            put(getattr(target, collection), name, (yield from taken(of[domain], values, mixed)))
+            yield
     yield from _carry_creases(source, target, of["POINT"])
 
 
@@ -170,7 +203,7 @@ def _carry_active_colour(source: Any, target: Any) -> None:
         target.color_attributes.render_color_index = render
 
 
-def _carry_creases(source: Any, target: Any, of: Maps) -> Iterator[str]:
+def _carry_creases(source: Any, target: Any, of: Maps) -> Iterator[str | None]:
     """Creases of vertices where they are no attribute (before 4.0); they can only be made by an
     operator there, so they are carried where the target has them."""
     creases = getattr(source, "vertex_creases", ())
@@ -178,7 +211,7 @@ def _carry_creases(source: Any, target: Any, of: Maps) -> Iterator[str]:
         values = get(creases[0].data, "value", np.float32)
         if values.any():
             if len(target.vertex_creases):
-                put(target.vertex_creases[0].data, "value", _taken(of, values, True))
+                put(target.vertex_creases[0].data, "value", (yield from taken(of, values)))
             else:
                 yield "crease of vertices"
 

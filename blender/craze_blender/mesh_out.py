@@ -10,6 +10,7 @@ import bpy
 import numpy as np
 
 from . import layers, weights
+from .nodes import new_material
 
 WALL = "crack_wall"  # as the engine calls the material of side walls
 WALL_COLOUR = (0.02, 0.015, 0.01, 1.0)
@@ -30,6 +31,7 @@ def _fill(mesh: Any, arrays: dict[str, np.ndarray]) -> Iterator[None]:
     yield
     mesh.polygons.add(len(arrays["loop_start"]))
     layers.put(mesh.polygons, "loop_start", arrays["loop_start"])
+    yield
     # From 3.6 on the starts say it.
     if not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly:
         layers.put(mesh.polygons, "loop_total", arrays["loop_total"])
@@ -39,9 +41,8 @@ def _fill(mesh: Any, arrays: dict[str, np.ndarray]) -> Iterator[None]:
 def _wall_material() -> Any:
     material = bpy.data.materials.get(WALL)
     if material is None:
-        material = bpy.data.materials.new(WALL)
+        material = new_material(WALL)
         material.diffuse_color = WALL_COLOUR
-        material.use_nodes = True
         shader = material.node_tree.nodes.get("Principled BSDF")
         if shader is not None:
             shader.inputs["Base Color"].default_value = WALL_COLOUR
@@ -86,12 +87,9 @@ def build(
             lost += [missing] if missing else []
             yield None
         if walls.any():
-            index = layers.get(mesh.polygons, "material_index", np.int32)
-            index[walls] = len(mesh.materials) - 1
-            layers.put(mesh.polygons, "material_index", index)
-            smooth = layers.get(mesh.polygons, "use_smooth", bool)
-            smooth[walls] = False
-            layers.put(mesh.polygons, "use_smooth", smooth)
+            slot = len(mesh.materials) - 1
+            yield from _changed(mesh.polygons, "material_index", np.int32, walls, slot)
+            yield from _changed(mesh.polygons, "use_smooth", bool, walls, False)
         for key, values in arrays.items():
             domain, _, attribute = key.partition(" ")
             if attribute:
@@ -137,34 +135,50 @@ def _finish(
     """What needs a mesh that has its elements: normals, weights and shape keys."""
     mesh.update(calc_edges_loose=True)
     yield
-    _normals(source, mesh, of["CORNER"], walls)
+    yield from _normals(source, mesh, of["CORNER"], walls)
     double = bpy.data.objects.new(mesh.name, mesh)  # groups and keys are made through an object
     try:
-        yield from weights.write_groups(double, names, weights.mixed_groups(groups, of["POINT"]))
+        for group, values in zip(names, groups):
+            mixed = yield from weights.mixed_group(values, of["POINT"])
+            yield from weights.write_group(double, group, mixed)
         yield from weights.carry_keys(source, double, of["POINT"], co)
     finally:
         bpy.data.objects.remove(double)
 
 
-def _sharpen(mesh: Any, walls: np.ndarray) -> None:
+def _changed(
+    collection: Any, name: str, dtype: Any, which: np.ndarray, value: Any
+) -> Iterator[None]:
+    """Gives some elements another value."""
+    values = layers.get(collection, name, dtype)
+    values[which] = value
+    yield
+    layers.put(collection, name, values)
+    yield
+
+
+def _sharpen(mesh: Any, walls: np.ndarray) -> Iterator[None]:
     """Edges of walls are hard: a smooth surface does not bend into its cracks."""
     corners = np.repeat(walls, layers.get(mesh.polygons, "loop_total", np.int32))
-    sharp = layers.get(mesh.edges, "use_edge_sharp", bool)
-    sharp[layers.get(mesh.loops, "edge_index", np.int32)[corners]] = True
-    layers.put(mesh.edges, "use_edge_sharp", sharp)
+    edges = layers.get(mesh.loops, "edge_index", np.int32)[corners]
+    yield
+    yield from _changed(mesh.edges, "use_edge_sharp", bool, edges, True)
     if hasattr(mesh, "use_auto_smooth") and not mesh.use_auto_smooth:  # before 4.1
         mesh.use_auto_smooth = True
         mesh.auto_smooth_angle = math.pi  # what is not marked stays smooth
 
 
-def _normals(source: Any, mesh: Any, of: layers.Maps, walls: np.ndarray) -> None:
+def _normals(source: Any, mesh: Any, of: layers.Maps, walls: np.ndarray) -> Iterator[None]:
     if hasattr(source, "use_auto_smooth"):  # before 4.1
         mesh.use_auto_smooth = source.use_auto_smooth
         mesh.auto_smooth_angle = source.auto_smooth_angle
     if walls.any():
-        _sharpen(mesh, walls)
+        yield from _sharpen(mesh, walls)
     known = layers.custom_normals(source)
     if known is not None:
-        normals = of.mixed(known)
+        yield
+        normals = yield from layers.taken(of, known)
         normals[np.repeat(walls, layers.get(mesh.polygons, "loop_total", np.int32))] = 0
+        yield
         layers.set_custom_normals(mesh, normals)
+        yield

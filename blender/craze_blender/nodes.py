@@ -4,6 +4,25 @@ from __future__ import annotations
 
 from typing import Any
 
+import bpy
+
+
+def new_material(name: str) -> Any:
+    """One with nodes: a Principled BSDF and an output."""
+    material = bpy.data.materials.new(name)
+    give_nodes(material)
+    return material
+
+
+def has_nodes(material: Any) -> bool:
+    """From 5.0 on all have; before, they may be switched off."""
+    return material.node_tree is not None and getattr(material, "use_nodes", True)
+
+
+def give_nodes(material: Any) -> None:
+    if not has_nodes(material) and hasattr(material, "use_nodes"):
+        material.use_nodes = True
+
 
 def new_socket(tree: Any, side: str, name: str, kind: str) -> Any:
     """A socket of a group; `side` is INPUT or OUTPUT."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterator
+from typing import Any, Generator, Iterator
 
 import numpy as np
 
 from . import layers
 
-CHUNK = 2000  # vertices read, or weights written, at a step
+CHUNK = 1000  # vertices read, or weights written, at a step
+BLOCK = 1 << 14  # vertices whose weights are sorted at a step
 
 
 def read_groups(mesh: Any, count: int) -> Iterator[list[np.ndarray] | None]:
@@ -25,30 +26,32 @@ def read_groups(mesh: Any, count: int) -> Iterator[list[np.ndarray] | None]:
     yield groups
 
 
-def mixed_groups(groups: list[np.ndarray], of: layers.Maps) -> list[np.ndarray]:
+def mixed_group(group: np.ndarray, of: layers.Maps) -> Generator[None, None, np.ndarray]:
     """The same per output vertex. Between members of a group and others, the others count 0."""
     made = []
-    for weights in groups:
-        values = of.mixed(np.nan_to_num(weights)[:, None])[:, 0]
-        member = np.isfinite(weights)[of.index] & (of.weight > 0)
+    for part in of.parts:
+        values = part.mixed(np.nan_to_num(group)[:, None])[:, 0]
+        member = np.isfinite(group)[part.index] & (part.weight > 0)
         values[~member.any(axis=1)] = np.nan
         made.append(values)
-    return made
+        yield
+    return np.concatenate(made) if made else np.empty(0, np.float32)
 
 
-def write_groups(thing: Any, names: list[str], groups: list[np.ndarray]) -> Iterator[None]:
-    """Gives an object groups of these names, with weights as read_groups() gives them."""
-    for name, weights in zip(names, groups):
-        group = thing.vertex_groups.get(name) or thing.vertex_groups.new(name=name)
-        members = np.flatnonzero(np.isfinite(weights))
-        values, which = np.unique(weights[members], return_inverse=True)
-        order = np.argsort(which, kind="stable")
+def write_group(thing: Any, name: str, weights: np.ndarray) -> Iterator[None]:
+    """Gives an object a group, with weights as read_groups() gives them."""
+    group = thing.vertex_groups.get(name) or thing.vertex_groups.new(name=name)
+    members = np.flatnonzero(np.isfinite(weights))
+    for begin in range(0, len(members), BLOCK):
+        here = members[begin : begin + BLOCK]
+        values, which = np.unique(weights[here], return_inverse=True)
+        here = here[np.argsort(which, kind="stable")]
         ends = np.cumsum(np.bincount(which, minlength=len(values)))
-        begin = done = 0
+        first = done = 0
         for value, end in zip(values.tolist(), ends.tolist()):
-            group.add(members[order[begin:end]].tolist(), value, "REPLACE")
-            done += 1 + (end - begin) // 50
-            begin = end
+            group.add(here[first:end].tolist(), value, "REPLACE")
+            done += 1 + (end - first) // 50
+            first = end
             if done > CHUNK:
                 done = 0
                 yield
@@ -70,9 +73,10 @@ def carry_keys(source: Any, target: Any, of: layers.Maps, co: np.ndarray) -> Ite
     yield
     for block in keys.key_blocks:
         places = layers.get(block.data, "co", np.float32, 3)
-        moved = co + of.mixed(places.astype(np.float64) - rest)
         yield
+        moved = co + (yield from layers.taken(of, places.astype(np.float64) - rest))
         values = np.where(still[:, None], places[near], moved).astype(np.float32)
+        yield
         new = target.shape_key_add(name=block.name, from_mix=False)
         layers.put(new.data, "co", values)
         for name in ("interpolation", "mute", "slider_min", "slider_max", "vertex_group"):

@@ -2,32 +2,39 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Iterator
 
 import bpy
 import numpy as np
 
 from .. import cracked, process, runs
+from ..settings import GAP
 from ..work import Steps
 from .base import OfCracked
 
+STEP = 2000  # edges looked at at a step
 
-def chains(edges: np.ndarray, event: np.ndarray) -> list[tuple[list[int], list[int]]]:
+
+def chains(
+    edges: np.ndarray, event: np.ndarray
+) -> Iterator[tuple[list[int], list[int]] | None]:
     """(points, edges) of the lines that edges (e, 2) make, each from one end of a crack, `event`
-    (e,), to the other, or around, in the order of the edges."""
+    (e,), to the other, or around, in the order of the edges; None now and then, as it takes long."""
     at: dict[tuple[int, int], list[int]] = {}
-    for i, (a, b) in enumerate(edges.tolist()):
-        number = int(event[i])
-        at.setdefault((number, a), []).append(i)
-        at.setdefault((number, b), []).append(i)
-    used = np.zeros(len(edges), bool)
+    ends, events = edges.tolist(), event.tolist()
+    for i, (a, b) in enumerate(ends):
+        at.setdefault((events[i], a), []).append(i)
+        at.setdefault((events[i], b), []).append(i)
+        if i % STEP == STEP - 1:
+            yield None
+    used = [False] * len(ends)
 
     def walk(edge: int, point: int) -> tuple[list[int], list[int]]:
-        points, along, number = [point], [], int(event[edge])
+        points, along, number = [point], [], events[edge]
         while True:
             used[edge] = True
             along.append(edge)
-            a, b = edges[edge].tolist()
+            a, b = ends[edge]
             point = b if point == a else a
             points.append(point)
             here = at[number, point]
@@ -36,14 +43,13 @@ def chains(edges: np.ndarray, event: np.ndarray) -> list[tuple[list[int], list[i
                 return points, along
             edge = more[0]
 
-    made = []
     for closed in (False, True):  # what is left after the open lines goes around
-        for i, (a, b) in enumerate(edges.tolist()):
-            number = int(event[i])
+        for i, (a, b) in enumerate(ends):
             for point in (a, b):
-                if not used[i] and (closed or len(at[number, point]) != 2):
-                    made.append(walk(i, point))
-    return made
+                if not used[i] and (closed or len(at[events[i], point]) != 2):
+                    yield walk(i, point)
+            if i % STEP == STEP - 1:
+                yield None
 
 
 def radii(points: list[int], along: list[int], width: np.ndarray) -> np.ndarray:
@@ -53,7 +59,8 @@ def radii(points: list[int], along: list[int], width: np.ndarray) -> np.ndarray:
 
 
 class CRAZE_OT_curves(OfCracked, bpy.types.Operator):
-    """Makes a curve object of the cracks: a line each, its radius half the crack's width"""
+    """Makes a curve object of the cracks: a line each, its radius half the crack's opening, times a
+    bevel depth that makes it as wide as the crack is"""
 
     bl_idname = "craze.curves"
     bl_label = "Curves"
@@ -65,8 +72,12 @@ class CRAZE_OT_curves(OfCracked, bpy.types.Operator):
         done = False
         try:
             curve.dimensions = "3D"
-            curve.bevel_depth = 1.0  # so that the radius is that of the tube
-            for number, (points, along) in enumerate(chains(arrays["edges"], arrays["event"])):
+            curve.bevel_depth = cracked.post_of(thing)["gap"] or GAP
+            for line in chains(arrays["edges"], arrays["event"]):
+                yield
+                if line is None:
+                    continue
+                points, along = line
                 spline = curve.splines.new("POLY")
                 spline.points.add(len(points) - 1)
                 places = np.ones((len(points), 4), np.float32)
@@ -75,8 +86,6 @@ class CRAZE_OT_curves(OfCracked, bpy.types.Operator):
                 spline.points.foreach_set(
                     "radius", radii(points, along, arrays["width"]).astype(np.float32)
                 )
-                if number % 200 == 199:
-                    yield
             done = True
         finally:
             if not done:

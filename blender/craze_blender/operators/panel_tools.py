@@ -37,10 +37,14 @@ class CRAZE_OT_paint(bpy.types.Operator):
     @classmethod
     def poll(cls, context: Any) -> bool:
         thing = context.active_object
-        return thing is not None and thing.type == "MESH" and context.mode == "OBJECT"
+        modes = {"OBJECT", "EDIT_MESH"}
+        return thing is not None and thing.type == "MESH" and context.mode in modes
 
     def execute(self, context: Any) -> set[str]:
         thing = context.active_object
+        editing = thing.mode == "EDIT"
+        if editing:  # where groups cannot be changed, and the selection is not in the mesh yet
+            bpy.ops.object.mode_set(mode="OBJECT")
         group = thing.vertex_groups.get(PAINTED)
         new = group is None
         if new:
@@ -54,6 +58,8 @@ class CRAZE_OT_paint(bpy.types.Operator):
             group.add(everywhere, 1.0, "REPLACE")
         thing.vertex_groups.active = group
         context.scene.craze.keys.where_attribute = PAINTED
+        if self.selected and editing:
+            bpy.ops.object.mode_set(mode="EDIT")
         if not self.selected and not bpy.app.background:
             bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
         return {"FINISHED"}

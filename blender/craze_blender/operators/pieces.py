@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Iterator
 
 import bpy
 import numpy as np
@@ -60,27 +60,12 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
             made = yield from _parts(thing, thing.data)
             warnings = []
             bodies = [_Body(0.0, _middle(mesh), mesh) for mesh in made]
-        self._link(context, thing, bodies)
+        yield from _gathered(context, thing, bodies, self.rigid_body)
+        thing.hide_set(True)
+        thing.hide_render = True
         for warning in warnings:
             self.report({"WARNING"}, warning)
         return f"{len(made)} pieces"
-
-    def _link(self, context: Any, thing: Any, bodies: list[_Body]) -> None:
-        collection = bpy.data.collections.new(f"{thing.name} pieces")
-        context.scene.collection.children.link(collection)
-        for body in bodies:
-            piece = bpy.data.objects.new(body.mesh.name, body.mesh)
-            for group in thing.vertex_groups:
-                if group.name not in piece.vertex_groups:
-                    piece.vertex_groups.new(name=group.name)
-            body.mesh.transform(_moved(-body.centre), shape_keys=True)
-            piece.matrix_world = thing.matrix_world @ _moved(body.centre)
-            collection.objects.link(piece)
-            body.object = piece
-        if self.rigid_body:
-            _make_rigid(context, bodies)
-        thing.hide_set(True)
-        thing.hide_render = True
 
 
 @dataclass
@@ -113,12 +98,16 @@ def _parts(thing: Any, mesh: Any) -> Steps:
     names = cracked.group_names(thing)
     groups = yield from last(weights.read_groups(mesh, len(thing.vertex_groups)))
     fragment = layers.get(mesh.attributes["fragment"].data, "value", np.int32)
+    yield
     shape = _Shape(mesh)
+    yield
+    numbers = np.unique(fragment)
+    yield
     made: list[Any] = []
     done = False
     try:
-        for number in np.unique(fragment):
-            arrays = shape.part(np.flatnonzero(fragment == number))
+        for number in numbers:
+            arrays = yield from shape.part(np.flatnonzero(fragment == number))
             name = f"{thing.name} fragment {number}"
             part = yield from last(mesh_out.copy_part(mesh, groups, names, name, arrays))
             made.append(part)
@@ -131,6 +120,32 @@ def _parts(thing: Any, mesh: Any) -> Steps:
     return made
 
 
+def _gathered(context: Any, thing: Any, bodies: list[_Body], rigid: bool) -> Iterator[None]:
+    """Makes the objects of bodies, their origins at the centres, in a new collection; all are gone
+    again if they do not get ready."""
+    collection = bpy.data.collections.new(f"{thing.name} pieces")
+    done = False
+    try:
+        for body in bodies:
+            piece = body.object = bpy.data.objects.new(body.mesh.name, body.mesh)
+            for group in thing.vertex_groups:
+                if group.name not in piece.vertex_groups:
+                    piece.vertex_groups.new(name=group.name)
+            body.mesh.transform(_moved(-body.centre), shape_keys=True)
+            piece.matrix_world = thing.matrix_world @ _moved(body.centre)
+            collection.objects.link(piece)
+            yield
+        context.scene.collection.children.link(collection)
+        if rigid:
+            yield
+            yield from _make_rigid(context, bodies)
+        done = True
+    finally:
+        if not done:
+            made = [body.object for body in bodies if body.object is not None]
+            bpy.data.batch_remove([collection, *made, *(body.mesh for body in bodies)])
+
+
 def _moved(by: np.ndarray) -> Any:
     return Matrix.Translation([float(x) for x in by])
 
@@ -141,16 +156,18 @@ def _middle(mesh: Any) -> np.ndarray:
     return co.mean(axis=0, dtype=np.float64).astype(np.float32)
 
 
-def _make_rigid(context: Any, bodies: list[_Body]) -> None:
+def _make_rigid(context: Any, bodies: list[_Body]) -> Iterator[None]:
     scene = context.scene
     if scene.rigidbody_world is None:
         bpy.ops.rigidbody.world_add()
+        yield
     world = scene.rigidbody_world
     if world.collection is None:
         world.collection = bpy.data.collections.new("RigidBodyWorld")
     # Hulls of neighbours overlap where pieces are hollow: they part without being thrown apart.
     world.use_split_impulse = True
     for body in bodies:
+        yield
         world.collection.objects.link(body.object)
         rigid = body.object.rigid_body
         if rigid is None:
@@ -175,14 +192,17 @@ class _Shape:
         self.loop_start = layers.get(mesh.polygons, "loop_start", np.int32)
         self.loop_total = layers.get(mesh.polygons, "loop_total", np.int32)
 
-    def part(self, polygons: np.ndarray) -> dict[str, np.ndarray]:
+    def part(self, polygons: np.ndarray) -> Steps:
         """The arrays that mesh_out.copy_part() takes."""
         total = self.loop_total[polygons]
         start = np.cumsum(total) - total
         within = np.arange(total.sum()) - np.repeat(start, total)
         loops = np.repeat(self.loop_start[polygons], total) + within
-        vertices, loop_vertex = np.unique(self.loop_vertex[loops], return_inverse=True)
-        edges, loop_edge = np.unique(self.loop_edge[loops], return_inverse=True)
+        yield
+        vertices, loop_vertex = _used(self.loop_vertex[loops], len(self.co))
+        yield
+        edges, loop_edge = _used(self.loop_edge[loops], len(self.edges))
+        yield
         return {
             "co": self.co[vertices],
             "edges": np.searchsorted(vertices, self.edges[edges]).astype(np.int32),
@@ -195,6 +215,15 @@ class _Shape:
             "loop_of": loops,
             "face_of": polygons,
         }
+
+
+def _used(indices: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """As np.unique(indices, return_inverse=True) of numbers below `count`, without sorting many."""
+    if len(indices) < count // 20:
+        return np.unique(indices, return_inverse=True)
+    there = np.zeros(count, bool)
+    there[indices] = True
+    return np.flatnonzero(there), (np.cumsum(there) - 1)[indices]
 
 
 CLASSES = [CRAZE_OT_pieces]

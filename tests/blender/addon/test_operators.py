@@ -15,7 +15,7 @@ from cracking import Cracking, places
 from mathutils import Vector
 
 from craze_blender import mesh_in, process, table
-from craze_blender.operators import curves
+from craze_blender.operators import curves, pieces
 
 COMMAND = os.environ.get("CRAZE_COMMAND", "")
 RECIPE = """
@@ -137,6 +137,25 @@ class Operators(Cracking):
         self.assertAlmostEqual(total, 0.1 * area, 3)
         self.assertEqual(len([m for m in bpy.data.meshes if m.users == 0]), 0)
 
+    def test_pieces_that_are_stopped_leave_nothing(self):
+        new = self.crack(meshes.link(meshes.grid(14)))
+        before = [len(d) for d in (bpy.data.objects, bpy.data.meshes, bpy.data.collections)]
+        for steps in (0, 2, 10, 15):
+            bodies = [pieces._Body(0.0, np.zeros(3), meshes.grid(1)) for _ in range(8)]
+            going = pieces._gathered(bpy.context, new, bodies, True)
+            for _ in range(steps):
+                next(going)
+            going.close()
+            if not steps:  # it never began
+                bpy.data.batch_remove([body.mesh for body in bodies])
+            if bpy.context.scene.rigidbody_world:
+                bpy.ops.rigidbody.world_remove()
+            for name in ("RigidBodyWorld", "RigidBodyConstraints"):
+                if name in bpy.data.collections:
+                    bpy.data.collections.remove(bpy.data.collections[name])
+            after = [len(d) for d in (bpy.data.objects, bpy.data.meshes, bpy.data.collections)]
+            self.assertEqual(after, before, f"after {steps} steps")
+
     def test_solid_pieces_fall_and_come_to_rest(self):
         thing = meshes.link(meshes.grid(14))
         thing.location = (0, 0, 0.5)
@@ -188,6 +207,12 @@ class Operators(Cracking):
         co = places(piece.data)
         self.assertTrue((co.min(axis=0) <= 1e-6).all() and (co.max(axis=0) >= -1e-6).all())
 
+    def test_curves_are_as_wide_as_the_cracks_are_open(self):
+        for gap, depth in ((0.0, 0.1), (0.05, 0.05), (0.2, 0.2)):
+            self.crack(meshes.link(meshes.grid(12)), recipe=RECIPE + f"post.gap = {gap}\n")
+            bpy.ops.craze.curves()
+            self.assertAlmostEqual(bpy.context.active_object.data.bevel_depth, depth, places=6)
+
     def test_curves_have_the_cracks_length_and_half_their_width(self):
         new = self.crack(meshes.link(meshes.grid(12)))
         report = json.loads(new.craze.report)
@@ -204,7 +229,7 @@ class Operators(Cracking):
 
     def test_chains_use_each_edge_once(self):
         edges = np.array([[0, 1], [1, 2], [3, 2], [5, 6], [6, 7], [7, 5], [2, 4]])
-        made = curves.chains(edges, np.array([0, 0, 0, 1, 1, 1, 2]))
+        made = list(curves.chains(edges, np.array([0, 0, 0, 1, 1, 1, 2])))
         self.assertEqual(made[0], ([0, 1, 2, 3], [0, 1, 2]))
         self.assertEqual(sorted(e for _, along in made for e in along), list(range(7)))
         self.assertEqual({len(p) for p, _ in made}, {4, 2})
@@ -274,6 +299,45 @@ class Operators(Cracking):
         keys = bpy.context.scene.craze.keys
         self.assertEqual(keys.where_attribute, "Cracks")
         keys.where_attribute = ""
+
+    def test_faces_may_be_selected_in_edit_mode(self):
+        thing = meshes.link(meshes.grid(6))
+        for polygon in thing.data.polygons:
+            polygon.select = False
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.ops.mesh.select_mode(type="FACE")
+        shape = bmesh.from_edit_mesh(thing.data)
+        for face in shape.faces:
+            face.select_set(face.calc_center_median().x > 0)
+        self.assertEqual(bpy.ops.craze.paint(selected=True), {"FINISHED"})
+        self.assertEqual(thing.mode, "EDIT")
+        bpy.ops.object.mode_set(mode="OBJECT")
+        group = thing.vertex_groups["Cracks"]
+        found = {v.co.x >= -1e-6: group.weight(v.index) for v in thing.data.vertices}
+        self.assertEqual(found, {True: 1.0, False: 0.0})
+        bpy.context.scene.craze.keys.where_attribute = ""
+
+    def test_what_shares_the_mesh_keeps_it(self):
+        """Instances: objects of one mesh, and of a collection."""
+        thing = meshes.link(meshes.grid(12))
+        other = bpy.data.objects.new("other", thing.data)
+        bpy.context.scene.collection.objects.link(other)
+        other.location, other.scale = (3, 0, 0), (1, -2, 1)
+        group = bpy.data.collections.new("group")
+        group.objects.link(other)
+        holder = bpy.data.objects.new("holder", None)
+        holder.instance_type, holder.instance_collection = "COLLECTION", group
+        bpy.context.scene.collection.objects.link(holder)
+        shape, mesh = places(thing.data).tobytes(), thing.data
+        self.crack(thing, in_place=True)
+        self.assertIsNot(thing.data, mesh)
+        self.assertIs(other.data, mesh)
+        self.assertEqual(places(mesh).tobytes(), shape)
+        bpy.context.view_layer.update()
+        cracked = self.crack(other)
+        self.assertEqual(len(cracked.data.vertices) > len(mesh.vertices), True)
+        self.assertEqual(cracked.matrix_world, other.matrix_world)
+        self.assertEqual(places(mesh).tobytes(), shape)
 
     def test_lengths_take_units_of_the_scene(self):
         text = RECIPE.replace("relative_spacing = 0.12", 'spacing = "400mm"')
