@@ -88,7 +88,7 @@ def order_of(thing: Any) -> Order:
     )
 
 
-def post_of(thing: Any) -> dict[str, float]:
+def post_of(thing: Any) -> dict[str, Any]:
     """How its cracks are open."""
     post = json.loads(thing.craze.recipe)["post"]
     return {name: post[name] for name in POST}

@@ -1,5 +1,5 @@
-"""A cracked object follows the panel's sliders: gap, wall and curl at once, of the run that the
-engine keeps; the rest in the background. The latest wish wins."""
+"""A cracked object follows the panel's sliders: how cracks are open ([post]) at once, of the run that
+the engine keeps; the rest in the background. The latest wish wins."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 import bpy
 
-from . import cracked, panel_recipe, process, runs
+from . import cracked, panel_recipe, process, runs, table
 from .work import Work
 
 PAUSE = 0.15  # seconds without a change before it begins
@@ -48,9 +48,8 @@ def start(thing: Any, do: str, scene: Any) -> Work:
     """The work that brings a cracked object up to the panel; its result is runs.Made."""
     engine, order, name = process.engine(), cracked.order_of(thing), thing.data.name
     recipe = panel_recipe.recipe_of(scene.craze, panel_recipe.to_engine(thing.matrix_world, order.stretch))
-    if do == "open" and recipe["post"]["gap_width"] == 0:
-        post = {key: recipe["post"][key] for key in runs.POST}
-        return Work(engine, runs.open_again(engine, order, name, post))
+    if do == "open":
+        return Work(engine, runs.open_again(engine, order, name, _shown_post(recipe)))
     order.recipe, order.run = recipe, runs.new_run()
     return Work(engine, runs.crack(engine, order, name))
 
@@ -60,10 +59,20 @@ def finish(thing: Any, work: Work, scene: Any) -> None:
     cracked.replace_mesh(thing, work.result)
     if not work.result.report:
         recipe = json.loads(thing.craze.recipe)
-        shown = panel_recipe.recipe_of(scene.craze, list)
-        for key in runs.POST:
-            recipe["post"][key] = shown["post"][key]
+        recipe["post"].update(_shown_post(panel_recipe.recipe_of(scene.craze, list)))
         thing.craze.recipe = json.dumps(recipe)
+
+
+def _shown_post(recipe: dict[str, Any]) -> dict[str, Any]:
+    """How the panel opens cracks. A preset's "1%" is a number of the run, and stays it, and so does
+    what says the same in another way."""
+    post = recipe["post"]
+    rows = {row["name"]: row for row in table.single() if row["section"] == "post"}
+    own = {row["key"] for name, row in rows.items()
+           if row["type"] == "real" and isinstance(post[name], str)}  # fmt: skip
+    return {
+        name: post[name] for name, row in rows.items() if not own & {row["key"], row["instead_of"]}
+    }
 
 
 def _tick() -> float | None:

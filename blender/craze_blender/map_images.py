@@ -7,6 +7,7 @@ from typing import Any
 import bpy
 
 UDIM = "<UDIM>"
+COLOURS = {"base_color"}  # maps whose numbers are light, linear; those of others are no colours
 
 
 def load(files: list[dict[str, Any]], name: str, pack: bool) -> dict[tuple[str, str], Any]:
@@ -22,7 +23,8 @@ def _image(tiles: list[dict[str, Any]], name: str, pack: bool) -> Any:
     first = tiles[0]
     image = bpy.data.images.load(first["file"], check_existing=True)
     image.name = " ".join(filter(None, (name, first["set"], first["map"])))
-    image.colorspace_settings.name = "Non-Color"
+    if first["map"] not in COLOURS:
+        image.colorspace_settings.name = "Non-Color"
     if first["tile"]:
         _tile(image, first, {tile["tile"] for tile in tiles})
     image.reload()

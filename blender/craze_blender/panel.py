@@ -11,7 +11,47 @@ from . import cracked, table
 from .operators.stats import summary
 
 WIDE = 240  # logical pixels of a sidebar in which labels beside their fields are not cut off
-OPENING = ("post.gap", "post.gap_width", "post.wall", "post.curl")
+NARROW = 180  # and in which labels within their fields are cut off: they are above
+OPENING = ("post.gap", "post.gap_width", "post.wall", "post.curl", "post.roughness")
+
+
+class _View:
+    """A panel's layout: labels beside the fields where there is room, else within them, else above."""
+
+    def __init__(self, layout: Any, context: Any) -> None:
+        width = context.region.width / context.preferences.system.ui_scale
+        layout.use_property_split = self.wide = width >= WIDE
+        layout.use_property_decorate = False
+        self.layout = layout
+        self.narrow = width < NARROW
+
+    def column(self) -> Any:
+        return self.layout.column(align=True)
+
+    def prop(self, layout: Any, data: Any, name: str, text: str | None = None) -> None:
+        shown = data.bl_rna.properties[name]
+        text = shown.name if text is None else text
+        if self.narrow and shown.type != "BOOLEAN" and text:
+            layout.label(text=text)
+            text = ""
+        layout.prop(data, name, text=text)
+
+    def key(self, layout: Any, keys: Any, key: str, text: str | None = None) -> None:
+        if table.row_of(key):
+            self.prop(layout, keys, table.property_name(key), text)
+
+    def row(self, layout: Any) -> Any:
+        """Of two buttons: one below the other where it is narrow."""
+        return layout.column(align=True) if self.narrow else layout.row(align=True)
+
+    def fact(self, layout: Any, what: str, value: str) -> None:
+        if self.narrow:
+            layout.label(text=f"{what}:")
+            layout.label(text=f"   {value}")
+            return
+        row = layout.split(factor=0.4 if self.wide else 0.45)
+        row.label(text=what)
+        row.label(text=value)
 
 
 class _Panel:
@@ -19,35 +59,32 @@ class _Panel:
     bl_region_type = "UI"
     bl_category = "Craze"
 
-    def _begin(self, context: Any) -> Any:
-        """The layout: labels beside the fields where there is room, else within them."""
-        layout = self.layout
-        scale = context.preferences.system.ui_scale
-        layout.use_property_split = context.region.width >= WIDE * scale
-        layout.use_property_decorate = False
-        return layout
-
 
 class CRAZE_PT_main(_Panel, bpy.types.Panel):
     bl_label = "Craze"
 
     def draw(self, context: Any) -> None:
-        layout, panel = self._begin(context), context.scene.craze
+        view, panel = _View(self.layout, context), context.scene.craze
+        layout = view.layout
         layout.template_icon_view(panel, "preset", show_labels=True, scale=5)
-        layout.prop(panel, "preset", text="Preset" if layout.use_property_split else "")
+        layout.prop(panel, "preset", text="Preset" if view.wide else "")
         keys = panel.keys
-        row = layout.row(align=True)
-        row.prop(keys, "seed")
+        column = view.column()
+        if view.narrow:
+            column.label(text="Seed")
+        row = column.row(align=True)
+        row.prop(keys, "seed", text="" if view.narrow else "Seed")
         row.operator("craze.dice", text="", icon="FILE_REFRESH")
-        column = layout.column(align=True)
-        _key(column, keys, "layer.spacing", "Spacing")
+        column = view.column()
+        view.key(column, keys, "layer.spacing", "Spacing")
         if keys.layer_spacing == 0 and keys.layer_relative_spacing > 0:
-            _key(column, keys, "layer.relative_spacing", "of the size")
-        _key(layout, keys, "evolution.max_load", "Load")
-        _key(layout, keys, "material.alpha", "Alpha")
-        column = layout.column(align=True)
+            view.key(column, keys, "layer.relative_spacing", "of the size")
+        column = view.column()
+        view.key(column, keys, "evolution.max_load", "Load")
+        view.key(column, keys, "material.alpha", "Alpha")
+        column = view.column()
         for key in OPENING:
-            _key(column, keys, key)
+            view.key(column, keys, key)
         layout.prop(panel, "in_place")
         row = layout.row()
         row.scale_y = 1.5
@@ -62,29 +99,44 @@ class CRAZE_PT_where(_Panel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: Any) -> None:
-        layout, keys = self._begin(context), context.scene.craze.keys
-        row = layout.row(align=True)
+        view, keys = _View(self.layout, context), context.scene.craze.keys
+        layout = view.layout
+        row = view.row(layout)
         row.operator("craze.paint", text="Paint", icon="WPAINT_HLT").selected = False
         row.operator("craze.paint", text="Selected Faces", icon="FACESEL").selected = True
-        thing = context.active_object
-        for row_ in table.single():
-            if row_["section"] == "where" or row_["name"].endswith("attribute"):
-                name = table.property_name(row_["key"])
-                text = row_["key"].replace(".", " ").replace("_", " ").capitalize()
-                if row_["name"].endswith("attribute") and thing is not None:
-                    layout.prop_search(keys, name, thing, "vertex_groups", text=text)
-                else:
-                    layout.prop(keys, name, text=text)
-        row = layout.row(align=True)
-        row.operator("craze.impact", icon="CURSOR", text="Impact at Cursor")
-        row.operator("craze.impact_click", icon="RESTRICT_SELECT_OFF", text="by Click")
+        places = [row for row in table.single() if row["section"] == "where"]
+        others = [row for row in table.single() if row["name"].endswith("attribute")]
+        column = view.column()
+        for row_ in places:
+            self._place(view, column, context, row_, _words(row_["name"]))
+        layout.label(text="By attributes")
+        column = view.column()
+        for row_ in others:
+            if row_ not in places:
+                name = row_["name"].removesuffix("attribute") or row_["section"]
+                self._place(view, column, context, row_, _words(name))
+        layout.label(text="Impacts")
+        row = view.row(layout)
+        row.operator("craze.impact", icon="CURSOR", text="At Cursor")
+        row.operator("craze.impact_click", icon="RESTRICT_SELECT_OFF", text="By Click")
         for i, entry in enumerate(keys.impact):
             box = layout.box()
             row = box.row()
             row.label(text=f"Impact {i + 1}")
             row.operator("craze.impact_remove", text="", icon="X").index = i
+            column = box.column(align=True)
             for name in entry.__annotations__:
-                box.prop(entry, name)
+                view.prop(column, entry, name)
+
+    def _place(self, view: _View, layout: Any, context: Any, row: dict[str, Any], text: str) -> None:
+        keys, name = context.scene.craze.keys, table.property_name(row["key"])
+        if not row["name"].endswith("attribute") or context.active_object is None:
+            view.prop(layout, keys, name, text)
+            return
+        if view.narrow:
+            layout.label(text=text)
+            text = ""
+        layout.prop_search(keys, name, context.active_object, "vertex_groups", text=text)
 
 
 class CRAZE_PT_advanced(_Panel, bpy.types.Panel):
@@ -93,18 +145,31 @@ class CRAZE_PT_advanced(_Panel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: Any) -> None:
-        layout, panel = self._begin(context), context.scene.craze
-        layout.prop(panel, "search", text="", icon="VIEWZOOM")
+        view, panel = _View(self.layout, context), context.scene.craze
+        view.layout.prop(panel, "search", text="", icon="VIEWZOOM")
         section = None
-        for row in table.single():
-            words = f"{row['key']} {row['help']}".lower()
-            if panel.search.lower() not in words:
-                continue
+        column = view.column()
+        for row in found(panel.search):
             if row["section"] != section:
                 section = row["section"]
-                layout.label(text=section.capitalize() or "Engine")
-            layout.prop(panel.keys, table.property_name(row["key"]))
-        layout.operator("craze.export_recipe", icon="EXPORT")
+                view.layout.label(text=section.capitalize() or "Engine")
+                column = view.column()
+            view.prop(column, panel.keys, table.property_name(row["key"]))
+        view.layout.operator("craze.export_recipe", icon="EXPORT")
+
+
+class CRAZE_PT_texture(_Panel, bpy.types.Panel):
+    bl_label = "Tileable Material"
+    bl_parent_id = "CRAZE_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: Any) -> None:
+        view, panel = _View(self.layout, context), context.scene.craze
+        column = view.column()
+        view.prop(column, panel, "tile")
+        view.prop(column, panel, "map_size")
+        view.prop(column, panel, "library")
+        column.operator("craze.texture", text="Make Asset", icon="ASSET_MANAGER")
 
 
 class CRAZE_PT_result(_Panel, bpy.types.Panel):
@@ -116,36 +181,36 @@ class CRAZE_PT_result(_Panel, bpy.types.Panel):
         return cracked.is_cracked(context.active_object)
 
     def draw(self, context: Any) -> None:
-        layout, panel = self._begin(context), context.scene.craze
-        column = layout.column(align=True)
+        view, panel = _View(self.layout, context), context.scene.craze
+        column = view.column()
         for what, value in summary(json.loads(context.active_object.craze.report)):
-            row = column.split(factor=0.4 if layout.use_property_split else 0.5)
-            row.label(text=what)
-            row.label(text=value)
-        column = layout.column(align=True)
+            view.fact(column, what, value)
+        column = view.column()
         column.operator("craze.stats", icon="TEXT")
         column.operator("craze.curves", icon="CURVE_DATA")
-        column = layout.column(align=True)
-        column.prop(panel, "map_size")
-        column.prop(panel, "map_folder")
-        column.operator("craze.bake", icon="TEXTURE")
-        column = layout.column(align=True)
-        column.prop(panel, "thickness")
-        column.prop(panel, "core")
-        column.operator("craze.pieces", icon="MOD_SOLIDIFY")
-        column = layout.column(align=True)
-        column.prop(panel, "frames")
-        column.prop(panel, "growth")
-        column.operator("craze.grow", icon="SHAPEKEY_DATA")
+        for properties, operator, icon in (
+            (("map_size", "map_folder"), "craze.bake", "TEXTURE"),
+            (("thickness", "core"), "craze.pieces", "MOD_SOLIDIFY"),
+            (("frames", "growth"), "craze.grow", "SHAPEKEY_DATA"),
+        ):
+            column = view.column()
+            for name in properties:
+                view.prop(column, panel, name)
+            column.operator(operator, icon=icon)
 
 
-def _key(layout: Any, keys: Any, key: str, text: str | None = None) -> None:
-    if table.has(key):
-        name = table.property_name(key)
-        if text is None:
-            layout.prop(keys, name)
-        else:
-            layout.prop(keys, name, text=text)
+def found(words: str) -> list[dict[str, Any]]:
+    """The keys that have some words in their name or help."""
+    wanted = words.strip().lower()
+    return [
+        row
+        for row in table.single()
+        if wanted in f"{row['key']} {_words(row['name'])} {row['help']}".lower()
+    ]
 
 
-CLASSES = [CRAZE_PT_main, CRAZE_PT_where, CRAZE_PT_advanced, CRAZE_PT_result]
+def _words(name: str) -> str:
+    return name.replace("_", " ").strip().capitalize()
+
+
+CLASSES = [CRAZE_PT_main, CRAZE_PT_where, CRAZE_PT_advanced, CRAZE_PT_texture, CRAZE_PT_result]

@@ -10,11 +10,12 @@ from typing import Any
 import bpy
 import numpy as np
 
-from . import mesh_in, mesh_out, weights
+from . import mesh_in, mesh_out, table, weights
 from .process import Engine, arrays_in
 from .work import Problem, Steps, asked, last
 
-POST = ("gap", "wall", "curl")  # what an opening takes; other keys crack anew
+# What an opening takes; other keys crack anew.
+POST = tuple(row["name"] for row in table.single() if row["section"] == "post")
 
 
 def new_run() -> str:
@@ -38,14 +39,14 @@ class Order:
 
 @dataclass
 class Made:
-    """A cracked mesh. `report` is {} where nothing was cracked anew; `grown` (t, n, 3) where it was
-    asked for; `solids` (k, 4) of fragments that are closed: volume, and centre of mass."""
+    """A cracked mesh. `report` is {} where nothing was cracked anew; `grown` has (n, 3) at each time
+    that was asked for; `solids` (k, 4) of fragments that are closed: volume, and centre of mass."""
 
     mesh: Any
     run: str
     report: dict[str, Any]
     warnings: list[str]
-    grown: np.ndarray | None = None
+    grown: list[np.ndarray] = field(default_factory=list)
     solids: np.ndarray | None = None
 
 
@@ -69,7 +70,7 @@ def crack(engine: Engine, order: Order, name: str) -> Steps:
     return (yield from _build(order, name, read, reply))
 
 
-def open_again(engine: Engine, order: Order, name: str, post: dict[str, float]) -> Steps:
+def open_again(engine: Engine, order: Order, name: str, post: dict[str, Any]) -> Steps:
     """Made of a run with its cracks open otherwise, or of solids where `post` has a thickness;
     cracked anew where the engine has lost it."""
     reply = yield from _of_run(engine, order, "open", post=post)
@@ -77,7 +78,7 @@ def open_again(engine: Engine, order: Order, name: str, post: dict[str, float]) 
 
 
 def grow(
-    engine: Engine, order: Order, name: str, times: list[float], post: dict[str, float]
+    engine: Engine, order: Order, name: str, times: list[float], post: dict[str, Any]
 ) -> Steps:
     """As open_again(), with positions at times of the growth."""
     reply = yield from _of_run(engine, order, "grow", times=times, post=post)
@@ -91,12 +92,36 @@ def lines(engine: Engine, order: Order) -> Steps:
 
 
 def bake(
-    engine: Engine, order: Order, size: int, maps: list[str] | None, post: dict[str, float], folder: str
+    engine: Engine, order: Order, size: int, maps: list[str] | None, post: dict[str, Any], folder: str
 ) -> Steps:
     """Maps written to a folder, as worker/runs.py says it; `maps`: their names, None: all."""
     return (
         yield from _of_run(engine, order, "bake", size=size, maps=maps, post=post, folder=folder)
     )
+
+
+@dataclass
+class Tile:
+    """Tileable maps: `files` as worker/runs.py says of bake(), and a preview (n, n, 3), sRGB."""
+
+    files: list[dict[str, Any]]
+    preview: np.ndarray
+    warnings: list[str]
+
+
+def texture(
+    engine: Engine, recipe: Any, is_text: bool, settings: dict[str, Any], size: int, period: float,
+    folder: str,
+) -> Steps:  # fmt: skip
+    """A Tile of a recipe, its maps written to a folder."""
+    reply = yield from asked(
+        engine.send(
+            "texture", recipe=recipe, is_text=is_text, settings=settings, size=size, period=period,
+            folder=folder,
+        )
+    )  # fmt: skip
+    arrays = yield from last(arrays_in(reply))
+    return Tile(reply["files"], arrays["preview"], reply["warnings"])
 
 
 def _of_run(engine: Engine, order: Order, do: str, **fields: Any) -> Steps:
@@ -115,7 +140,8 @@ def _groups(order: Order) -> Steps:
 
 def _build(order: Order, name: str, read: list[np.ndarray], reply: dict[str, Any]) -> Steps:
     arrays = yield from last(arrays_in(reply))
-    grown, solids = arrays.pop("grown", None), arrays.pop("solids", None)
+    grown = [arrays.pop(name) for name in sorted(arrays) if name.startswith("grown ")]
+    solids = arrays.pop("solids", None)
     warnings = list(reply["warnings"])
     mesh, lost = yield from last(mesh_out.build(order.mesh, read, order.groups, name, arrays))
     if lost:

@@ -70,8 +70,11 @@ def _preset_changed(settings: Any, _: Any) -> None:
 
 def _key_changed(row: dict[str, Any]) -> Any:
     post = row["key"] in {f"post.{name}" for name in POST}
+    other = table.row_of(row["instead_of"]) if post else None
 
-    def update(_: Any, context: Any) -> None:
+    def update(keys: Any, context: Any) -> None:
+        if other is not None and getattr(keys, table.property_name(row["key"])) != row["default"]:
+            setattr(keys, table.property_name(other["key"]), other["default"])  # of two, the last
         live.wanted(context, "open" if post else "crack")
 
     return update
@@ -122,7 +125,7 @@ class CrazeSettings(bpy.types.PropertyGroup):
     )
     live: bpy.props.BoolProperty(
         name="Update",
-        description="A cracked object follows the sliders: gap, wall and curl at once, the rest in "
+        description="A cracked object follows the sliders: how cracks are open at once, the rest in "
         "the background",
         default=True,
     )
@@ -154,6 +157,20 @@ class CrazeSettings(bpy.types.PropertyGroup):
         name="Folder",
         description="Where all maps are written, as .exr; empty: those that the material shows, "
         "packed into the .blend",
+        subtype="DIR_PATH",
+    )
+    tile: bpy.props.FloatProperty(
+        name="Tile",
+        description="Side of the tile",
+        subtype="DISTANCE",
+        unit="LENGTH",
+        min=1e-6,
+        default=1.0,
+    )
+    library: bpy.props.StringProperty(
+        name="Library",
+        description="Folder of an asset library that gets the material; empty: it is an asset of "
+        "this file",
         subtype="DIR_PATH",
     )
 

@@ -36,8 +36,8 @@ def repeated() -> dict[str, list[dict[str, Any]]]:
     return sections
 
 
-def has(key: str) -> bool:
-    return any(row["key"] == key for row in PARAMETERS)
+def row_of(key: str) -> dict[str, Any] | None:
+    return next((row for row in PARAMETERS if row["key"] == key), None)
 
 
 def value_in(recipe: dict[str, Any], key: str) -> Any:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import bpy
 
-from . import bake, crack, curves, grow, impact, panel_tools, pieces, recipe, stats
+from . import bake, crack, curves, grow, impact, panel_tools, pieces, recipe, stats, texture
 
-MODULES = (crack, bake, pieces, grow, curves, stats, recipe, impact, panel_tools)
+MODULES = (crack, bake, texture, pieces, grow, curves, stats, recipe, impact, panel_tools)
 
 
 def register() -> None:

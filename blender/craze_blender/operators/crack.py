@@ -5,24 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 import bpy
-import numpy as np
 
-from .. import cracked, mesh_in, panel_recipe, process, runs, table
-from ..work import Problem, Steps
+from .. import cracked, mesh_in, panel_recipe, process, runs
+from ..work import Steps
 from .base import EngineOperator
-
-FROM_PANEL = "PANEL"
-UNITS = {1.0: "m", 0.01: "cm", 0.001: "mm", 0.0254: "in", 0.3048: "ft", 1000.0: "km"}
+from .recipe_options import WithRecipe
 
 
-def _presets(_: Any, __: Any) -> Any:
-    return _ITEMS
-
-
-_ITEMS = [(FROM_PANEL, "As in the panel", "")] + [(name, name, "") for name in table.PRESETS]
-
-
-class CRAZE_OT_crack(EngineOperator, bpy.types.Operator):
+class CRAZE_OT_crack(WithRecipe, EngineOperator, bpy.types.Operator):
     """Cracks the active object: a new object beside it, or in place. A cracked object is cracked
     anew, from what it was. What is not said comes from the panel; a preset or recipe that is said
     stands for all of the panel's keys"""
@@ -30,29 +20,6 @@ class CRAZE_OT_crack(EngineOperator, bpy.types.Operator):
     bl_idname = "craze.crack"
     bl_label = "Crack"
 
-    preset: bpy.props.EnumProperty(
-        name="Preset", description="Name of a preset", items=_presets, options={"SKIP_SAVE"}
-    )
-    seed: bpy.props.IntProperty(
-        name="Seed",
-        description="Of the random numbers; the same seed gives the same bytes. −1: the recipe's",
-        min=-1,
-        default=-1,
-        options={"SKIP_SAVE"},
-    )
-    spacing: bpy.props.FloatProperty(
-        name="Spacing",
-        description="Distance between cracks, in the scene's unit; 0: the recipe's",
-        min=0.0,
-        subtype="DISTANCE",
-        unit="LENGTH",
-        options={"SKIP_SAVE"},
-    )
-    recipe: bpy.props.StringProperty(
-        name="Recipe",
-        description="Path of a .toml file, or the text of a recipe, TOML or JSON",
-        options={"SKIP_SAVE"},
-    )
     in_place: bpy.props.BoolProperty(
         name="In place",
         description="The object itself is cracked; otherwise a new one beside it, which is hidden",
@@ -78,9 +45,9 @@ class CRAZE_OT_crack(EngineOperator, bpy.types.Operator):
                 stretch=mesh_in.stretch_of(thing.matrix_world),
                 recipe="",
             )
-        order.recipe = self._recipe(context.scene.craze, thing, order.stretch)
-        order.is_text = bool(self.recipe) and not self._is_path()
-        order.settings = self._settings(context.scene.unit_settings.scale_length)
+        to_engine = panel_recipe.to_engine(thing.matrix_world, order.stretch)
+        order.recipe, order.is_text = self.given_recipe(context.scene.craze, to_engine)
+        order.settings = self.given_settings(context.scene)
         if not again:
             order.mesh = mesh_in.snapshot(context, thing)
         done = False
@@ -104,31 +71,6 @@ class CRAZE_OT_crack(EngineOperator, bpy.types.Operator):
     def _in_place(self, panel: Any) -> bool:
         said = self.properties.is_property_set("in_place")
         return bool(self.in_place if said else panel.in_place)
-
-    def _recipe(self, panel: Any, thing: Any, stretch: np.ndarray) -> Any:
-        preset = "" if self.preset == FROM_PANEL else self.preset
-        if preset and self.recipe:
-            raise Problem("give a preset or a recipe, not both")
-        if self.recipe:
-            return bpy.path.abspath(self.recipe) if self._is_path() else self.recipe
-        if preset:
-            return preset
-        return panel_recipe.recipe_of(panel, panel_recipe.to_engine(thing.matrix_world, stretch))
-
-    def _is_path(self) -> bool:
-        return self.recipe.endswith((".toml", ".json"))
-
-    def _settings(self, metres: float) -> dict[str, Any]:
-        """What is said besides the recipe; `metres` is the scene's unit, for lengths such as 4mm."""
-        keys: dict[str, Any] = {}
-        unit = UNITS.get(round(metres, 6))
-        if unit is not None:
-            keys["mesh.unit"] = unit
-        if self.seed >= 0:
-            keys["seed"] = self.seed
-        if self.spacing > 0:
-            keys["layer.spacing"] = table.as_typed(self.spacing)
-        return keys
 
 
 CLASSES = [CRAZE_OT_crack]

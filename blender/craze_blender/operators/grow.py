@@ -3,7 +3,7 @@ nodes with a keyed slider."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Iterator
 
 import bpy
 import numpy as np
@@ -41,34 +41,43 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
             raise Problem("the cracks are shut, so nothing would move: give them a gap first")
         order = cracked.order_of(thing)
         made = yield from runs.grow(process.engine(), order, thing.data.name, times, post)
-        cracked.replace_mesh(thing, made)
         start = context.scene.frame_current
         if method == "KEYS":
-            _key(thing, made.grown, times, start, frames)
+            yield from _key(made, times, start, frames)
+        cracked.replace_mesh(thing, made)
+        if method == "KEYS":
             return f"{stages} stages in {frames} frames"
         _slide(thing, made.grown[0], start, frames)
         return f"{frames} frames"
 
 
-def _key(thing: Any, grown: np.ndarray, times: list[float], start: int, frames: int) -> None:
+def _key(made: runs.Made, times: list[float], start: int, frames: int) -> Iterator[None]:
     """A key per stage, 1 at its time and 0 at those beside it; at the end the shape is the basis,
-    which is the finished one."""
-    if thing.data.shape_keys is None:
-        thing.shape_key_add(name="Basis", from_mix=False)
-    step = frames * (times[1] - times[0])
-    for places, time in zip(grown, times):
-        key = thing.shape_key_add(name=f"growth {time:.3f}", from_mix=False)
-        loose = layers.get(key.data, "co", np.float32, 3)
-        loose[: len(places)] = places
-        layers.put(key.data, "co", loose)
-        middle = start + frames * time
-        if time > 0:
-            _keyed(key, 0.0, middle - step)
-        _keyed(key, 1.0, middle)
-        _keyed(key, 0.0, middle + step)
-    action = thing.data.shape_keys.animation_data.action
-    for curve in _curves(action):
-        _straight(curve)
+    which is the finished one. The mesh is removed if it does not get ready."""
+    double = bpy.data.objects.new(made.mesh.name, made.mesh)  # keys are made through an object
+    done = False
+    try:
+        if made.mesh.shape_keys is None:
+            double.shape_key_add(name="Basis", from_mix=False)
+        step = frames * (times[1] - times[0])
+        for places, time in zip(made.grown, times):
+            yield
+            key = double.shape_key_add(name=f"growth {time:.3f}", from_mix=False)
+            loose = layers.get(key.data, "co", np.float32, 3)
+            loose[: len(places)] = places
+            layers.put(key.data, "co", loose)
+            middle = start + frames * time
+            if time > 0:
+                _keyed(key, 0.0, middle - step)
+            _keyed(key, 1.0, middle)
+            _keyed(key, 0.0, middle + step)
+        for curve in _curves(made.mesh.shape_keys.animation_data.action):
+            _straight(curve)
+        done = True
+    finally:
+        bpy.data.objects.remove(double)
+        if not done:
+            bpy.data.meshes.remove(made.mesh)
 
 
 def _slide(thing: Any, shut: np.ndarray, start: int, frames: int) -> None:
@@ -80,6 +89,7 @@ def _slide(thing: Any, shut: np.ndarray, start: int, frames: int) -> None:
     modifier = thing.modifiers.get(growth_nodes.GROUP)
     if modifier is None:
         modifier = thing.modifiers.new(growth_nodes.GROUP, "NODES")
+    if thing.modifiers[0] != modifier:
         with bpy.context.temp_override(object=thing):
             bpy.ops.object.modifier_move_to_index(modifier=modifier.name, index=0)
     modifier.node_group = growth_nodes.growth_group()

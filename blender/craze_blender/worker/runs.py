@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import warnings
 from collections import OrderedDict
 from contextlib import contextmanager, nullcontext
 from typing import Any, Callable, Iterator
@@ -11,13 +12,15 @@ from typing import Any, Callable, Iterator
 import numpy as np
 from carry import Carried, Source, carry
 from exr import write_exr
+from preview import tile_preview
 
 import craze
 
 KEPT = 3  # runs; an older one is cracked anew when somebody asks for it
 REST, ORIGIN = "craze.rest", "craze.origin"  # attributes that say where a vertex, a face was
 OURS = ("crack_distance", "crack_time", "crack_growth")
-MAP_NAME = re.compile(r"(?:(?P<set>.+)_)?(?P<map>[a-z]+)(?:\.(?P<tile>\d{4}))?")
+TILE_MAPS = ("base_color", "normal", "height", "occlusion", "roughness")
+MAP_NAME = re.compile(r"(?:(?P<set>.+)_)??(?P<map>base_color|[a-z]+)(?:\.(?P<tile>\d{4}))?")
 
 
 class Run:
@@ -58,7 +61,7 @@ class Run:
     def crack(self, recipe: Any, settings: dict[str, Any], progress: Callable[..., None]) -> None:
         self.result = craze.crack(self.mesh, recipe, progress=progress, **settings)
 
-    def opened(self, post: dict[str, float]) -> dict[str, np.ndarray]:
+    def opened(self, post: dict[str, Any]) -> dict[str, np.ndarray]:
         """The mesh, its cracks open, as Blender takes it."""
         assert self.result is not None
         mesh = self.result.opened(**post)
@@ -88,10 +91,14 @@ class Run:
         volume = np.array([[m["volume"]] for m in mass])
         return np.hstack([volume, self._turned_back(np.array([m["centre"] for m in mass]))])
 
-    def positions(self, times: list[float], post: dict[str, float]) -> np.ndarray:
-        """(t, n, 3) float32: vertices of opened(post) at times of the growth, 0 … 1."""
+    def positions(self, times: list[float], post: dict[str, Any]) -> dict[str, np.ndarray]:
+        """{"grown 000": …} each (n, 3) float32: vertices of opened(post) at times of the growth,
+        0 … 1."""
         assert self.result is not None
-        return np.stack([self._turned_back(self.result.positions_at(t, **post)) for t in times])
+        return {
+            f"grown {i:03}": self._turned_back(self.result.positions_at(t, **post))
+            for i, t in enumerate(times)
+        }
 
     def lines(self) -> dict[str, np.ndarray]:
         assert self.result is not None
@@ -114,23 +121,7 @@ class Run:
         the `largest` of its numbers; and the `sets` that materials have by their index."""
         assert self.result is not None
         baked = self.result.bake(size, maps, gap=gap, wall=wall)
-        os.makedirs(folder, exist_ok=True)
-        files: list[dict[str, Any]] = []
-        for name in list(baked):
-            progress("write", len(files) / (len(files) + len(baked)), 0, 0.0)
-            values, part = baked.pop(name), MAP_NAME.fullmatch(name)
-            assert part is not None
-            path = os.path.join(folder, f"{name}.exr")
-            write_exr(path, values)
-            files.append(
-                {
-                    "file": path,
-                    "map": part["map"],
-                    "set": part["set"] or "",
-                    "tile": int(part["tile"] or 0),
-                    "largest": float(values.max()),
-                }
-            )
+        files = _written(baked, folder, progress)
         sets = list(dict.fromkeys(file["set"] for file in files if file["set"]))
         return {"files": files, "sets": self._by_material(sets)}
 
@@ -161,6 +152,30 @@ class Run:
         still = corner & (np.asarray(places) == self.source.places[of]).all(axis=1)
         local[still] = self.local[of[still]]
         return local
+
+
+def _written(
+    maps: dict[str, np.ndarray], folder: str, progress: Callable[..., None]
+) -> list[dict[str, Any]]:
+    """Writes maps to files and says of each what bake() says; takes them out of the dict."""
+    os.makedirs(folder, exist_ok=True)
+    files: list[dict[str, Any]] = []
+    for name in list(maps):
+        progress("write", len(files) / (len(files) + len(maps)), 0, 0.0)
+        values, part = maps.pop(name), MAP_NAME.fullmatch(name)
+        assert part is not None
+        path = os.path.join(folder, f"{name}.exr")
+        write_exr(path, values)
+        files.append(
+            {
+                "file": path,
+                "map": part["map"],
+                "set": part["set"] or "",
+                "tile": int(part["tile"] or 0),
+                "largest": float(values.max()),
+            }
+        )
+    return files
 
 
 def _with_loose(
@@ -214,7 +229,7 @@ class Runs:
 
     def crack(
         self, run: str, mesh: str, names: dict[str, Any], recipe: Any, is_text: bool,
-        settings: dict[str, Any], post: dict[str, float], out: str, progress: Callable[..., None],
+        settings: dict[str, Any], post: dict[str, Any], out: str, progress: Callable[..., None],
     ) -> dict[str, Any]:  # fmt: skip
         """Cracks the mesh in the file `mesh` and keeps it as `run`; then as open()."""
         with np.load(mesh) as arrays:
@@ -230,18 +245,18 @@ class Runs:
         return {"report": report, **self.open(run, post, out, progress)}
 
     def open(
-        self, run: str, post: dict[str, float], out: str, progress: Callable[..., None]
+        self, run: str, post: dict[str, Any], out: str, progress: Callable[..., None]
     ) -> dict[str, Any]:
         """Writes the opened mesh to the file `out`; {"lost": true} where the run is not kept."""
         return self._made(run, out, lambda kept: kept.opened(post), post)
 
     def grow(
-        self, run: str, times: list[float], post: dict[str, float], out: str,
+        self, run: str, times: list[float], post: dict[str, Any], out: str,
         progress: Callable[..., None],
     ) -> dict[str, Any]:  # fmt: skip
-        """As open(), with positions at some times: the array `grown`."""
+        """As open(), with positions at some times."""
         return self._made(
-            run, out, lambda kept: {**kept.opened(post), "grown": kept.positions(times, post)}, post
+            run, out, lambda kept: {**kept.opened(post), **kept.positions(times, post)}, post
         )
 
     def lines(self, run: str, out: str, progress: Callable[..., None]) -> dict[str, Any]:
@@ -249,7 +264,7 @@ class Runs:
         return self._made(run, out, lambda kept: kept.lines())
 
     def bake(
-        self, run: str, size: int, maps: list[str] | None, post: dict[str, float], folder: str,
+        self, run: str, size: int, maps: list[str] | None, post: dict[str, Any], folder: str,
         out: str, progress: Callable[..., None],
     ) -> dict[str, Any]:  # fmt: skip
         """Writes maps to `folder`; {"lost": true} where the run is not kept."""
@@ -257,6 +272,21 @@ class Runs:
         if kept is None:
             return {"lost": True}
         return kept.bake(size, maps, post["gap"], post["wall"], folder, progress)
+
+    def texture(
+        self, recipe: Any, is_text: bool, settings: dict[str, Any], size: int, period: float,
+        folder: str, out: str, progress: Callable[..., None],
+    ) -> dict[str, Any]:  # fmt: skip
+        """Writes the maps of a tile to `folder` and a preview to the file `out`."""
+        with _as_file(recipe, os.path.dirname(out)) if is_text else nullcontext(recipe) as given:
+            with warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                maps = craze.texture(
+                    given, size, period, list(TILE_MAPS), progress=progress, **settings
+                )
+        np.savez(out, preview=tile_preview(maps))
+        files = _written(maps, folder, progress)
+        return {"file": out, "files": files, "warnings": [str(w.message) for w in said]}
 
     def hello(self, progress: Callable[..., None]) -> dict[str, Any]:
         return {"version": craze.__version__}
@@ -273,7 +303,7 @@ class Runs:
         run: str,
         out: str,
         make: Callable[[Run], dict[str, np.ndarray]],
-        post: dict[str, float] | None = None,
+        post: dict[str, Any] | None = None,
     ) -> dict[str, Any]:
         kept = self._find(run)
         if kept is None:

@@ -74,6 +74,19 @@ def test_each_preset_has_a_picture():
     check([i.identifier for i in items] == list(table.PRESETS), "other presets")
 
 
+def test_the_search_finds_keys_by_name_and_by_help():
+    yield 0.1
+    everything = [row["key"] for row in table.single()]
+    check([r["key"] for r in panel.found("")] == everything, "not all without words")
+    for words, key in (("gap width", "post.gap_width"), ("GAP_WIDTH", "post.gap_width"),
+                       (" screening length ", "layer.screening_length"), ("post.curl", "post.curl"),
+                       ("tapering to their tips", "post.gap_width")):  # fmt: skip
+        keys = [r["key"] for r in panel.found(words)]
+        check(key in keys, f"{words!r} finds {keys}")
+        check(len(keys) < len(everything) / 3, f"{words!r} finds {len(keys)}")
+    check(panel.found("no such thing") == [], "it finds what is not there")
+
+
 def test_the_panels_are_drawn_without_an_error():
     """For an object that was cracked and for one that was not; all that are drawn are seen by name."""
     meshes.empty()

@@ -94,8 +94,7 @@ class Process(unittest.TestCase):
         self.assertEqual(os.listdir(process.engine().folder), [])
 
     def test_a_cancelled_bake_ends_within_a_second_and_the_engine_lives_on(self):
-        meshes.link(meshes.grid(40))
-        self.crack(recipe=LIGHT)
+        self.crack_something()
         order = cracked.order_of(bpy.context.active_object)
         engine = process.engine()
         pid = engine._process.pid
@@ -112,6 +111,28 @@ class Process(unittest.TestCase):
         self.assertEqual(going.request.state, "cancelled")
         self.assertEqual(bpy.ops.craze.curves(), {"FINISHED"})
         self.assertEqual(engine._process.pid, pid)
+
+    def test_a_cancelled_tile_ends_within_a_second_and_the_engine_lives_on(self):
+        self.crack_something()
+        engine = process.engine()
+        pid = engine._process.pid
+        folder = os.path.join(engine.folder, "tile")
+        steps = runs.texture(engine, "mud", False, {"layer.spacing": 0.02}, 4096, 1.0, folder)
+        going = Work(engine, steps)
+        until_it_cracks(self, going)
+        begin = time.monotonic()
+        going.cancel()
+        while going.request.state == "running":
+            time.sleep(0.005)
+        self.assertLess(time.monotonic() - begin, 1.0)
+        self.assertEqual(going.request.state, "cancelled")
+        self.assertEqual(os.listdir(engine.folder), [])
+        self.assertEqual(bpy.ops.craze.curves(), {"FINISHED"})
+        self.assertEqual(engine._process.pid, pid)
+
+    def crack_something(self):
+        meshes.link(meshes.grid(40))
+        self.crack(recipe=LIGHT)
 
     def test_an_engine_that_hangs_is_ended_and_the_next_request_does_not_suffer(self):
         thing = meshes.link(meshes.grid(40))

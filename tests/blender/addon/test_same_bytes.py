@@ -9,6 +9,7 @@ from pathlib import Path
 import bpy
 import meshes
 import numpy as np
+from cracking import places
 
 from craze_blender import mesh_in, table
 
@@ -106,6 +107,37 @@ class SameBytes(unittest.TestCase):
                 panel.keys.seed = 1
                 self.assertEqual(panel_recipe.recipe_of(panel, list), table.PRESETS[preset])
 
+    def test_cracks_opened_otherwise_are_as_those_of_a_run(self):
+        """What the panel says of how cracks are open needs no second run, and gives what one gives."""
+        from craze_blender import live
+
+        panel = bpy.context.scene.craze
+        for preset, name, value in (
+            ("mud", "gap", 0.3), ("mud", "gap_width", 0.02), ("mud", "roughness", 0.02),
+            ("mud", "thickness", 0.1), ("mud", "curl", 0.5), ("bark", "wall", 0.05),
+        ):  # fmt: skip
+            with self.subTest(preset=preset, name=name):
+                meshes.empty()
+                panel.preset = preset
+                panel.keys.layer_spacing, panel.keys.post_gap = 0.5, 0.0 if preset == "bark" else 0.1
+                meshes.link(meshes.grid(12))
+                bpy.ops.craze.crack()
+                thing = bpy.context.active_object
+                first, run = places(thing.data), thing.craze.run
+                setattr(panel.keys, f"post_{name}", value)
+                work = live.start(thing, "open", bpy.context.scene)
+                work.finish()
+                self.assertEqual(work.state, "done", work.error)
+                live.finish(thing, work, bpy.context.scene)
+                opened = places(thing.data)
+                self.assertEqual(thing.craze.run, run)
+                self.assertFalse(np.array_equal(opened, first))
+                bpy.ops.craze.crack()
+                self.assertNotEqual(thing.craze.run, run)
+                np.testing.assert_array_equal(places(thing.data), opened)
+                setattr(panel.keys, f"post_{name}", 0.0)
+        panel.preset, panel.keys.post_gap, panel.keys.layer_spacing = "mud", 0.1, 0.0
+
     def test_what_is_changed_takes_back_what_says_the_same_in_another_way(self):
         from craze_blender import panel_recipe
 
@@ -116,7 +148,10 @@ class SameBytes(unittest.TestCase):
         panel.keys.post_gap = 0.25
         post = panel_recipe.recipe_of(panel, list)["post"]
         self.assertEqual((post["gap"], post["gap_width"]), (0.25, 0))
-        panel.keys.post_gap = 0
+        panel.keys.post_gap_width = 0.5
+        post = panel_recipe.recipe_of(panel, list)["post"]
+        self.assertEqual((post["gap"], post["gap_width"]), (0, 0.5))
+        panel.keys.post_gap = panel.keys.post_gap_width = 0
 
 
 def write(path, mesh):

@@ -168,6 +168,7 @@ def test_what_is_made_of_a_cracked_object_is_one_undo_step_each():
     yield 0.2
     for operator, said in (
         (bpy.ops.craze.bake, {"size": 16}),
+        (bpy.ops.craze.texture, {"preset": "mud", "spacing": 0.2, "size": 16}),
         (bpy.ops.craze.grow, {"frames": 4, "method": "KEYS"}),
         (bpy.ops.craze.grow, {"frames": 4, "method": "NODES"}),
         (bpy.ops.craze.curves, {}),
@@ -203,6 +204,7 @@ def state():
     return (
         names(),
         sorted(t.name for t in bpy.data.texts),
+        sorted(m.name for m in bpy.data.materials if m.asset_data is not None),
         [m.name for m in thing.data.materials if m is not None],
         [m.name for m in thing.modifiers],
         len(keys.key_blocks) if keys else 0,

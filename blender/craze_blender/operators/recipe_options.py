@@ -1,0 +1,78 @@
+"""What operators that crack take: a preset, a recipe, or the panel's."""
+
+from __future__ import annotations
+
+from typing import Any, Callable
+
+import bpy
+
+from .. import panel_recipe, table
+from ..work import Problem
+
+FROM_PANEL = "PANEL"
+UNITS = {1.0: "m", 0.01: "cm", 0.001: "mm", 0.0254: "in", 0.3048: "ft", 1000.0: "km"}
+
+
+def _presets(_: Any, __: Any) -> Any:
+    return _ITEMS
+
+
+_ITEMS = [(FROM_PANEL, "As in the panel", "")] + [(name, name, "") for name in table.PRESETS]
+
+
+class WithRecipe:
+    """Mixed into bpy.types.Operator. What is not said comes from the panel; a preset or recipe that
+    is said stands for all of the panel's keys."""
+
+    preset: bpy.props.EnumProperty(
+        name="Preset", description="Name of a preset", items=_presets, options={"SKIP_SAVE"}
+    )
+    seed: bpy.props.IntProperty(
+        name="Seed",
+        description="Of the random numbers; the same seed gives the same bytes. −1: the recipe's",
+        min=-1,
+        default=-1,
+        options={"SKIP_SAVE"},
+    )
+    spacing: bpy.props.FloatProperty(
+        name="Spacing",
+        description="Distance between cracks, in the scene's unit; 0: the recipe's",
+        min=0.0,
+        subtype="DISTANCE",
+        unit="LENGTH",
+        options={"SKIP_SAVE"},
+    )
+    recipe: bpy.props.StringProperty(
+        name="Recipe",
+        description="Path of a .toml file, or the text of a recipe, TOML or JSON",
+        options={"SKIP_SAVE"},
+    )
+
+    def given_recipe(self, panel: Any, place: Callable[[Any], list[float]]) -> tuple[Any, bool]:
+        """The recipe as craze.crack() takes it, and whether it is the text of one; `place` moves
+        the panel's places from the scene to the shape that is cracked."""
+        preset = self.given_preset()
+        if preset and self.recipe:
+            raise Problem("give a preset or a recipe, not both")
+        if self.recipe:
+            is_path = self.recipe.endswith((".toml", ".json"))
+            return (bpy.path.abspath(self.recipe) if is_path else self.recipe), not is_path
+        if preset:
+            return preset, False
+        return panel_recipe.recipe_of(panel, place), False
+
+    def given_preset(self) -> str:
+        """Its name; "" where the recipe or the panel counts."""
+        return "" if self.preset == FROM_PANEL else self.preset
+
+    def given_settings(self, scene: Any) -> dict[str, Any]:
+        """What is said besides the recipe, and the scene's unit, for lengths such as 4mm."""
+        keys: dict[str, Any] = {}
+        unit = UNITS.get(round(scene.unit_settings.scale_length, 6))
+        if unit is not None:
+            keys["mesh.unit"] = unit
+        if self.seed >= 0:
+            keys["seed"] = self.seed
+        if self.spacing > 0:
+            keys["layer.spacing"] = table.as_typed(self.spacing)
+        return keys
