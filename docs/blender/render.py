@@ -1,5 +1,5 @@
-"""The renders of docs/blender.md: blender -b --python render.py -- SCENE FILE.png, scenes as in
-scenes.py. Cycles, a sun and a grey sky."""
+"""The renders of docs/blender.md: blender -b --python render.py -- SCENE FILE.jpg, scenes as in
+scenes.py. Cycles, a sun, a grey sky and ground."""
 
 import math
 import sys
@@ -11,12 +11,14 @@ import mathutils
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import scenes  # noqa: E402
 
-# From where it is looked at, and at what.
+# From where it is looked at, at what, and how high the ground is; None: there is none.
 VIEWS = {
-    "mud": ((1.7, -2.3, 1.9), (0, 0, -0.1)),
-    "vase": ((1.6, -2.2, 1.3), (0, 0, 0.55)),
-    "glass": ((1.2, -2.2, 2.0), (0, 0, -0.1)),
-    "wall": ((0.0, -2.2, 1.6), (0, 0, 0)),
+    "mud": ((2.1, -2.9, 2.2), (0.1, -0.05, -0.1), -0.07),
+    "vase": ((1.7, -2.6, 1.5), (0, 0, 0.58), 0.0),
+    "glass": ((1.7, -2.9, 2.4), (0.1, -0.05, -0.1), -0.04),
+    "wall": ((0.0, -2.9, 2.2), (0, -0.05, 0), None),
+    "floor": ((1.1, -2.7, 1.8), (0.05, -0.1, 0), None),
+    "lines": ((2.0, -3.5, 2.0), (0.68, 0, 0.52), 0.0),
 }
 
 
@@ -40,12 +42,19 @@ def light():
     bpy.context.scene.world = world
 
 
+def ground(height):
+    bpy.ops.mesh.primitive_plane_add(size=40, location=(0, 0, height))
+    bpy.context.active_object.data.materials.append(scenes.plain("ground", (0.3, 0.3, 0.3), 0.9))
+
+
 def render(path):
     scene = bpy.context.scene
-    scene.render.engine, scene.cycles.samples = "CYCLES", 48
+    scene.render.engine, scene.cycles.samples = "CYCLES", 24
     scene.cycles.use_denoising = False
     scene.render.resolution_x, scene.render.resolution_y = 560, 420
     scene.render.resolution_percentage = 100
+    scene.render.image_settings.file_format = "JPEG"
+    scene.render.image_settings.quality = 88
     scene.render.filepath = path
     bpy.ops.render.render(write_still=True)
 
@@ -53,6 +62,9 @@ def render(path):
 name, file = sys.argv[sys.argv.index("--") + 1 :]
 scenes.empty()
 scenes.SCENES[name]()
-look(*VIEWS[name])
+place, target, height = VIEWS[name]
+look(place, target)
 light()
+if height is not None:
+    ground(height)
 render(file)

@@ -1,6 +1,6 @@
-"""Four finished scenes of docs/blender.md: blender -b --python scenes.py -- SCENE FILE.blend
+"""Finished scenes of docs/blender.md: blender -b --python scenes.py -- SCENE FILE.blend
 
-SCENE is mud, vase, glass or wall. The add-on is installed, or its folder is in PYTHONPATH.
+SCENE is mud, vase, glass, wall, floor or lines. The add-on is installed, or its folder is in PYTHONPATH.
 """
 
 import math
@@ -119,12 +119,42 @@ def wall():
     made.hide_set(False)
 
 
-SCENES = {"mud": mud, "vase": vase, "glass": glass, "wall": wall}
+def floor():
+    """A square with a tileable material, a unit of its UVs a metre."""
+
+    def plane(shape):
+        uv = shape.loops.layers.uv.new("UVMap")
+        bmesh.ops.create_grid(shape, x_segments=1, y_segments=1, size=1.0, calc_uvs=True)
+        for face in shape.faces:
+            for loop in face.loops:
+                loop[uv].uv *= 2.0
+
+    made = thing("floor", plane, plain("bare", (0.5, 0.5, 0.5), 0.8))
+    before = set(bpy.data.materials)
+    bpy.ops.craze.texture(preset="mud", spacing=0.16, seed=5, period=1.0, size=1024)
+    [made.data.materials[0]] = set(bpy.data.materials) - before
+
+
+def lines():
+    """The vase's cracks as curves, beside it."""
+    vase()
+    cracked = bpy.context.active_object
+    bpy.ops.craze.curves()
+    curves = bpy.context.active_object
+    curves.location.x = 1.3
+    curves.data.materials.append(plain("ink", (0.05, 0.04, 0.03), 0.6))
+    cracked.location.x = -0.1
+
+
+SCENES = {"mud": mud, "vase": vase, "glass": glass, "wall": wall, "floor": floor, "lines": lines}
 
 
 def empty():
     for made in list(bpy.data.objects):
         bpy.data.objects.remove(made)
+    for made in list(bpy.data.collections):
+        if made.name.endswith(" pieces"):
+            bpy.data.collections.remove(made)
 
 
 if __name__ == "__main__" and "--" in sys.argv:

@@ -21,6 +21,7 @@ layer.relative_spacing = 0.03
 evolution.max_load = 1.5
 """
 LIGHT = HEAVY.replace("0.03", "0.3")
+DRESS = 1  # of random layers: weights, keys and colours among them
 HELD = 0.05  # seconds of the main thread at a time, at most
 
 
@@ -59,11 +60,24 @@ class Process(unittest.TestCase):
         return bpy.ops.craze.crack(**said)
 
     def test_the_main_thread_is_never_held_long_by_a_run_on_200000_triangles(self):
-        """From the first array that is read to the last layer that is written."""
-        thing = meshes.link(meshes.grid(317))
-        self.assertGreater(2 * len(thing.data.polygons), 200000)
-        thing.vertex_groups.new(name="bone").add(range(len(thing.data.vertices)), 0.5, "REPLACE")
-        going = work(thing, HEAVY, max_cracks=10)
+        """From the first array that is read to the last layer that is written: a mesh with one
+        group, and one with layers of every kind."""
+        for dressed in (False, True):
+            meshes.empty()
+            thing = meshes.link(meshes.grid(317))
+            self.assertGreater(2 * len(thing.data.polygons), 200000)
+            if dressed:
+                meshes.dress(thing, DRESS)
+                self.assertTrue(thing.data.shape_keys and len(thing.vertex_groups) > 1)
+                self.assertTrue(thing.data.color_attributes)
+            else:
+                thing.vertex_groups.new(name="bone").add(
+                    range(len(thing.data.vertices)), 0.5, "REPLACE"
+                )
+            with self.subTest(dressed=dressed):
+                self.check_held(work(thing, HEAVY, max_cracks=10))
+
+    def check_held(self, going):
         held, wall, waiting = [], [], []
         while going.state == "running":
             own, begin = time.thread_time(), time.perf_counter()
