@@ -147,6 +147,27 @@ CRAZE_API const char* craze_mesh_array_name(const craze_mesh* mesh, int64_t i);
  * last. */
 CRAZE_API const char* craze_mesh_material_name(const craze_mesh* mesh, int64_t i);
 
+/* What may serve as a mask, to be looked at and painted over; [where] of a recipe (docs/where.md)
+ * is what cracks by it.
+ * JSON: the names of the scalars per vertex that are 0 ... 1, vertex colours as "color",
+ * "color_r" ...: what where.attribute takes. Free with craze_text_free. */
+CRAZE_API char* craze_mesh_masks(const craze_mesh* mesh, craze_error* error);
+/* Writes the values of one of them, n rows of one. CRAZE_REQUEST for any other name. */
+CRAZE_API craze_status craze_mesh_mask(const craze_mesh* mesh, const char* name, double* values,
+                                       craze_error* error);
+/* The texture of the i-th material's base colour, where it is in the file that the mesh was read
+ * from: the bytes of a PNG or JPEG, rows of one CRAZE_UINT8; no rows: there is none. CRAZE_USAGE
+ * where there is no such material. */
+CRAZE_API craze_status craze_mesh_texture(const craze_mesh* mesh, int64_t material,
+                                          craze_array* file, craze_error* error);
+/* Writes, at the vertices of the i-th material's faces, the mean of a picture, as of
+ * craze_job_set_texture, where that texture lies on them; the other ones of the n `values` stay.
+ * CRAZE_REQUEST where the mesh has no UVs. */
+CRAZE_API craze_status craze_mesh_mask_picture(const craze_mesh* mesh, int64_t material,
+                                               const void* pixels, craze_type type, int64_t width,
+                                               int64_t height, int32_t channels, double* values,
+                                               craze_error* error);
+
 /* Writes .ply .obj .stl .glb .usda: the whole file or none. A mesh that was read, and what a run
  * makes of it, is written with all that its file held besides (nodes, materials, textures ...), as
  * the command does it, where the format has a place for that; until an array that it had is set

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# check_library.sh LIBRARY HEADER PROGRAM.c: the library shows the functions of its header and
-# nothing else, and needs the C library alone; the program calls each of them.
+# check_library.sh LIBRARY HEADER SOURCE.c...: the library shows the functions of its header and
+# nothing else, and needs the C library alone; the sources call each of them.
 set -euo pipefail
-library=$1 header=$2 program=$3
+library=$1 header=$2
+shift 2
 status=0
 fail() { echo "$*" >&2; status=1; }
 
@@ -22,6 +23,6 @@ for name in $needed; do
 done
 
 for name in $declared; do
-  grep -q "$name(" "$program" || fail "$(basename "$program") never calls $name"
+  grep -q "$name(" "$@" || fail "no test calls $name"
 done
 exit $status

@@ -6,28 +6,10 @@
 #include <string.h>
 
 #include "craze/craze.h"
+#include "expect.h"
+#include "mesh_masks.h"
 
-static int failures = 0;
-
-#define EXPECT(condition)                                                     \
-  do {                                                                        \
-    if (!(condition)) {                                                       \
-      fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #condition); \
-      ++failures;                                                             \
-    }                                                                         \
-  } while (0)
-
-/* The call failed as it should, and said so in one line. */
-#define EXPECT_ERROR(call, wanted)               \
-  do {                                           \
-    craze_error error;                           \
-    craze_error* e = &error;                     \
-    memset(e, 0, sizeof error);                  \
-    (void)(call);                                \
-    EXPECT(error.status == (wanted));            \
-    EXPECT(strlen(error.message) > 0);           \
-    EXPECT(strchr(error.message, '\n') == NULL); \
-  } while (0)
+int failures = 0;
 
 static const double square[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
 static const int32_t halves[6] = {0, 1, 2, 0, 2, 3};
@@ -494,6 +476,7 @@ int main(int count, char** arguments) {
   a_mesh_keeps_what_it_is_given(count > 1 ? arguments[1] : ".");
   a_tile_is_baked();
   a_run_gives_what_it_should();
+  what_may_be_a_mask(count > 1 ? arguments[1] : ".");
   if (failures == 0) puts("every function of craze.h does what it says");
   return failures == 0 ? 0 : 1;
 }

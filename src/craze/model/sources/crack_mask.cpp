@@ -7,6 +7,7 @@
 #include "craze/base/name_pattern.h"
 #include "craze/error.h"
 #include "craze/model/sources/input_fields.h"
+#include "craze/model/sources/mask_values.h"
 
 namespace craze {
 
@@ -32,19 +33,6 @@ std::vector<char> named_faces(std::size_t faces, const std::vector<std::int32_t>
   return named;
 }
 
-/// In 0 … 1 but for rounding, which is cut off.
-std::vector<double> shares(std::vector<double> values, const char* element) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!(values[i] >= -rounding && values[i] <= 1 + rounding)) {
-      throw Error(ErrorKind::request, "cannot use painted values", "where.attribute",
-                  "it is " + std::to_string(values[i]) + " at " + element + " " +
-                      std::to_string(i) + "; it must be in 0 ... 1");
-    }
-    values[i] = std::clamp(values[i], 0.0, 1.0);
-  }
-  return values;
-}
-
 GreyImage inverted(GreyImage image) {
   for (float& pixel : image.pixels) pixel = 1 - pixel;
   return image;
@@ -66,8 +54,8 @@ class Painting {
     const InputFields fields = input_fields(surface);
     if (!where.attribute.empty()) {
       const char* key = "where.attribute";
-      face_ = shares(scalar_per_face(mesh, fields, where.attribute, key), "face");
-      vertex_ = shares(scalar_per_vertex(mesh, fields, where.attribute, key), "vertex");
+      face_ = mask_shares(scalar_per_face(mesh, fields, where.attribute, key), "face");
+      vertex_ = mask_shares(scalar_per_vertex(mesh, fields, where.attribute, key), "vertex");
     }
     if (where.texture.empty()) return;
     picture_ = picture;
