@@ -4,8 +4,7 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { gzipSync } from "node:zlib";
-import { addressOf, button, cracked, memoryOfBrowsers, openBrowser, progress, still, visit } from "./page.mjs";
+import { addressOf, button, cracked, loadOf, memoryOfBrowsers, openBrowser, progress, still, visit } from "./page.mjs";
 import { web } from "./session.mjs";
 
 const command = process.env.CRAZE_COMMAND ?? join(web, "../build/release/craze");
@@ -58,18 +57,13 @@ async function cold(browser) {
     look();
   });
   const page = await context.newPage();
-  const bodies = new Map();
-  page.on("response", (answer) => {
-    const path = new URL(answer.url()).pathname;
-    if (answer.ok() && !bodies.has(path)) bodies.set(path, answer.body());
-  });
+  const bytes = loadOf(page);
   await page.goto(browser.address);
   await cracked(page);
   const found = await page.evaluate(() => [globalThis.interactive, performance.now()]);
-  let bytes = 0;
-  for (const body of bodies.values()) bytes += gzipSync(await body, { level: 6 }).length;
+  const loaded = bytes();
   await context.close();
-  return { interactive: found[0], there: found[1], bytes };
+  return { interactive: found[0], there: found[1], bytes: loaded };
 }
 
 async function twentyThousand(browser) {

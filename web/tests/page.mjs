@@ -6,7 +6,7 @@ import { createRequire } from "node:module";
 import { dirname, extname, join, normalize } from "node:path";
 import { after, before } from "node:test";
 import { fileURLToPath } from "node:url";
-import { deflateRawSync } from "node:zlib";
+import { deflateRawSync, gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
 const dist = join(dirname(dirname(fileURLToPath(import.meta.url))), "dist");
@@ -169,4 +169,19 @@ export const progress = (page) => page.getByRole("status", { name: "Progress" })
 export async function cracked(page) {
   await progress(page).filter({ hasText: /\d+ cracks, \d+ fragments in/ }).waitFor();
   return progress(page).textContent();
+}
+
+/** Does it, and waits until the run that comes of it has ended well. */
+export async function anew(page, change) {
+  await progress(page).evaluate((region) => (region.textContent = "")); // of what was before
+  await change();
+  return cracked(page);
+}
+
+/** Keeps the paths that a page asks for, and says how many bytes they are by gzip. */
+export function loadOf(page) {
+  const paths = new Set();
+  page.on("response", (answer) => answer.ok() && paths.add(new URL(answer.url()).pathname));
+  return () =>
+    [...paths].reduce((sum, path) => sum + gzipSync(readFileSync(ofThePage(path)), { level: 6 }).length, 0);
 }

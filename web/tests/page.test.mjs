@@ -4,6 +4,7 @@ import { test } from "node:test";
 import { presetNames } from "./session.mjs";
 import {
   addressOf,
+  anew,
   browserOfTests,
   button,
   copied,
@@ -77,9 +78,7 @@ test("opening the cracks, and taking it back, cracks nothing again", { skip }, a
 test("a link brings the same cracks and the same command back", { skip }, async () => {
   const first = await visit(browser, still);
   await cracked(first.page);
-  await button(first.page, "New seed").click();
-  await progress(first.page).filter({ hasText: /^\D/ }).waitFor();
-  await cracked(first.page);
+  await anew(first.page, () => button(first.page, "New seed").click());
   const command = await copied(first.page, "Copy command");
   assert.equal(
     command,
@@ -108,10 +107,8 @@ test("a recipe is exported as TOML, and taken back", { skip }, async () => {
   await cracked(page);
   await drop(page, "broken.toml", "seed = [");
   await page.getByRole("alert").filter({ hasText: "broken.toml" }).waitFor();
-  await drop(page, "mine.toml", toml);
-  await page.waitForFunction(() => !document.querySelector("[aria-label=Preset] :checked"));
-  await progress(page).filter({ hasText: /^(start|repair|remesh|prepare|crack)/ }).waitFor();
-  await cracked(page);
+  await anew(page, () => drop(page, "mine.toml", toml));
+  assert.equal(await page.locator("[aria-label=Preset] :checked").count(), 0);
   assert.deepEqual(await exported(page, "PLY"), bytes);
   assert.equal(await copied(page, "Copy command"), "craze crack 'shape:plate?n=20' -o cracked.ply --recipe recipe.toml");
   await button(page, "Undo").click();
@@ -140,9 +137,7 @@ test("a broken file is one sentence, and the page goes on", { skip }, async () =
   await alert.waitFor();
   assert.doesNotMatch(await alert.textContent(), /\n/);
   const tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
-  await drop(page, "mine.obj", tetrahedron);
-  await progress(page).filter({ hasText: /^load|^start|^repair|^crack/ }).waitFor();
-  await cracked(page);
+  await anew(page, () => drop(page, "mine.obj", tetrahedron));
   assert.match(await copied(page, "Copy command"), /^craze crack mine\.obj /);
   await leave();
 });

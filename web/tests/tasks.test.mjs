@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
   addressOf,
+  anew,
   browserOfTests,
   button,
   copied,
@@ -10,7 +11,6 @@ import {
   drop,
   exported,
   picture,
-  progress,
   skip,
   slider,
   still,
@@ -63,12 +63,6 @@ function tube(radius, height, around, along) {
   ]);
 }
 
-/** Until the run that a change has begun is over. */
-async function crackedAnew(page) {
-  await progress(page).filter({ hasText: /^(load|start|repair|remesh|prepare|crack)/ }).waitFor();
-  return cracked(page);
-}
-
 /** Moves a slider until it shows a value near this one. */
 async function set(page, name, value) {
   const control = slider(page, name);
@@ -85,8 +79,7 @@ async function set(page, name, value) {
 test("crack my GLB with cells of 4 mm, only on the rim", { skip }, async () => {
   const { page, leave } = await visit(browser, still, small);
   await cracked(page);
-  await drop(page, "tube.glb", [...tube(0.012, 0.02, 24, 6)]);
-  await crackedAnew(page);
+  await anew(page, () => drop(page, "tube.glb", [...tube(0.012, 0.02, 24, 6)]));
   const spacing = await set(page, "Spacing", 0.004);
   assert.ok(Math.abs(spacing / 0.004 - 1) < 0.1, `${spacing}`);
   await page.getByRole("radiogroup", { name: "Paint" }).getByText("Mask").click();
@@ -107,8 +100,7 @@ test("make it older", { skip }, async () => {
   await cracked(page);
   const young = await exported(page, "PLY");
   await slider(page, "Load").focus();
-  await page.keyboard.press("End");
-  await crackedAnew(page);
+  await anew(page, () => page.keyboard.press("End"));
   assert.match(await copied(page, "Copy command"), /evolution\.max_load=8/);
   assert.notDeepEqual(await exported(page, "PLY"), young);
   await leave();

@@ -1,21 +1,25 @@
 // Cracks as lines of one width on the screen; each piece appears when the growth comes by.
+//
+// A piece is two triangles of four vertices of its own. Instances of one quad would take a quarter of
+// the room, but without a graphics processor each of them is a draw call by itself: forty times as
+// slow.
 import * as three from "three";
 
 const vertexShader = `
-  attribute vec3 start, end;
-  attribute vec2 growth;
+  attribute vec3 other; // the piece's other end
+  attribute float side, growth;
   uniform vec2 resolution;
   uniform float width, lift;
   varying float passed;
   void main() {
-    vec4 a = projectionMatrix * modelViewMatrix * vec4(start, 1.0);
-    vec4 b = projectionMatrix * modelViewMatrix * vec4(end, 1.0);
+    vec4 a = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    vec4 b = projectionMatrix * modelViewMatrix * vec4(other, 1.0);
     vec2 along = (b.xy / b.w - a.xy / a.w) * resolution;
     vec2 across = length(along) > 0.0 ? normalize(vec2(-along.y, along.x)) : vec2(0.0);
-    gl_Position = position.x < 0.5 ? a : b;
-    gl_Position.xy += position.y * width * across / resolution * gl_Position.w;
-    gl_Position.z -= lift * gl_Position.w; // in front of the surface that it lies on
-    passed = position.x < 0.5 ? growth.x : growth.y;
+    gl_Position = a;
+    gl_Position.xy += side * width * across / resolution * a.w;
+    gl_Position.z -= lift * a.w; // in front of the surface that it lies on
+    passed = growth;
   }`;
 
 const fragmentShader = `
@@ -29,10 +33,14 @@ const fragmentShader = `
     #include <colorspace_fragment>
   }`;
 
+const corners = 4; // of a piece: two at its first end, two at its last
+const numbers = 8; // of a corner: place, other end, side, growth
+const stride = corners * numbers;
+
 export class CrackLines {
   readonly object: three.Mesh;
-  private room: three.InstancedInterleavedBuffer | null = null; // of what was appended
-  private readonly geometry = new three.InstancedBufferGeometry();
+  private vertices = new three.InterleavedBuffer(new Float32Array(0), numbers);
+  private readonly geometry = new three.BufferGeometry();
   private readonly uniforms = {
     resolution: { value: new three.Vector2(1, 1) },
     width: { value: 2 }, // pixels
@@ -45,9 +53,6 @@ export class CrackLines {
   };
 
   constructor() {
-    const corners = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]);
-    this.geometry.setAttribute("position", new three.BufferAttribute(corners, 3));
-    this.geometry.setIndex([0, 1, 2, 0, 2, 3]);
     const material = new three.ShaderMaterial({
       vertexShader,
       fragmentShader,
@@ -58,43 +63,80 @@ export class CrackLines {
     this.object.frustumCulled = false;
     this.object.onBeforeRender = (renderer) =>
       renderer.getDrawingBufferSize(this.uniforms.resolution.value);
+    this.makeRoom(0);
   }
 
   /** Six numbers a piece, from and to, and two, when the growth comes by its ends. */
   set(lines: Float32Array, growth: Float32Array): void {
-    this.move(lines);
-    this.geometry.setAttribute("growth", new three.InstancedBufferAttribute(growth, 2));
-    this.geometry.instanceCount = growth.length / 2;
+    const count = growth.length / 2;
+    this.makeRoom(count);
+    const { array } = this.vertices;
+    for (let corner = 0; corner < corners * count; ++corner) {
+      array[numbers * corner + 7] = growth[2 * Math.floor(corner / corners) + endOf(corner)]!;
+    }
+    this.place(lines, 0);
+    this.geometry.setDrawRange(0, 6 * count);
   }
 
   /** More pieces, grown from the first, behind those that were appended; `first` of them stay. Only
    * what is new goes to where it is drawn. */
   append(pieces: Float32Array, first: number): void {
     const count = first + pieces.length / 6;
-    if (!this.room || this.room.count < count) {
-      const room = new Float32Array(6 * Math.max(1024, 2 * count));
-      if (this.room) room.set(this.room.array.subarray(0, 6 * first));
-      this.room = this.place(room);
-      const growth = new three.InstancedBufferAttribute(new Float32Array(room.length / 3), 2);
-      this.geometry.setAttribute("growth", growth);
+    if (this.vertices.array.length < stride * count) {
+      const before = this.vertices.array.subarray(0, stride * first);
+      this.makeRoom(Math.max(1024, 2 * count));
+      this.vertices.array.set(before);
     }
-    this.room.array.set(pieces, 6 * first);
-    this.room.addUpdateRange(6 * first, pieces.length);
-    this.room.needsUpdate = true;
-    this.geometry.instanceCount = count;
+    this.place(pieces, first);
+    this.vertices.addUpdateRange(stride * first, (stride * pieces.length) / 6);
+    this.geometry.setDrawRange(0, 6 * count);
   }
 
   /** The same pieces elsewhere. */
   move(lines: Float32Array): void {
-    this.room = null;
-    this.place(lines);
+    this.place(lines, 0);
   }
 
-  private place(lines: Float32Array): three.InstancedInterleavedBuffer {
-    const both = new three.InstancedInterleavedBuffer(lines, 6, 1);
-    this.geometry.setAttribute("start", new three.InterleavedBufferAttribute(both, 3, 0));
-    this.geometry.setAttribute("end", new three.InterleavedBufferAttribute(both, 3, 3));
-    return both;
+  private place(lines: Float32Array, first: number): void {
+    const { array } = this.vertices;
+    for (let corner = 0; corner < (corners * lines.length) / 6; ++corner) {
+      const piece = 6 * Math.floor(corner / corners);
+      const own = piece + 3 * endOf(corner);
+      const other = piece + 3 - 3 * endOf(corner);
+      const at = numbers * (corners * first + corner);
+      for (let k = 0; k < 3; ++k) {
+        array[at + k] = lines[own + k]!;
+        array[at + 3 + k] = lines[other + k]!;
+      }
+      array[at + 6] = corner % 2 === 0 ? -1 : 1;
+    }
+    this.vertices.needsUpdate = true;
+  }
+
+  /** For so many pieces, grown from the first. */
+  private makeRoom(pieces: number): void {
+    this.vertices = new three.InterleavedBuffer(new Float32Array(stride * pieces), numbers);
+    const set = (name: string, size: number, from: number) => {
+      const attribute = new three.InterleavedBufferAttribute(this.vertices, size, from);
+      this.geometry.setAttribute(name, attribute);
+    };
+    set("position", 3, 0);
+    set("other", 3, 3);
+    set("side", 1, 6);
+    set("growth", 1, 7);
+    const index = new Uint32Array(6 * pieces);
+    for (let i = 0; i < pieces; ++i) {
+      // Sides are seen from each end: left of the first is right of the last.
+      index.set([0, 1, 2, 0, 2, 3].map((k) => corners * i + k), 6 * i);
+    }
+    this.geometry.dispose(); // what was there goes from where it is drawn
+    this.geometry.setIndex(new three.BufferAttribute(index, 1));
+  }
+
+  /** Draws those from `first` on alone. */
+  drawFrom(first: number): void {
+    const { count, start } = this.geometry.drawRange;
+    this.geometry.setDrawRange(6 * first, start + count - 6 * first);
   }
 
   showUntil(time: number): void {
@@ -114,3 +156,6 @@ export class CrackLines {
     this.uniforms.lift.value = depth;
   }
 }
+
+/** Which end of its piece a corner is at: 0 or 1. */
+const endOf = (corner: number) => (corner % corners < 2 ? 0 : 1);

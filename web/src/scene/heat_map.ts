@@ -18,7 +18,7 @@ export class HeatMap {
 
   constructor() {
     this.object.add(this.surface.object, this.marks);
-    this.surface.object.material.roughness = 1;
+    this.surface.material.roughness = 1;
   }
 
   /** Shows one of them; returns what the scale ends at. */

@@ -21,14 +21,16 @@ export class Stage {
   constructor(canvas: HTMLCanvasElement) {
     this.viewer = new Viewer(canvas);
     const { input, cracked, kept, live, heat } = this;
-    for (const { object } of [input, cracked, kept, live, heat]) this.viewer.scene.add(object);
+    for (const { object } of [input, cracked, kept, heat]) this.viewer.scene.add(object);
+    this.viewer.over.add(live.object);
+    this.viewer.onOver = (all) => live.draw(all);
     this.update();
   }
 
   setInput(mesh: InputMesh, low: readonly number[], size: readonly number[]): void {
     this.mesh = mesh;
     this.cracked.clear();
-    this.live.clear();
+    this.endLive();
     this.keep(null);
     this.hot = false;
     const positions = new Float32Array(3 * mesh.triangles.length);
@@ -42,13 +44,13 @@ export class Stage {
 
   setPicture(picture: Picture): void {
     this.cracked.set(picture);
-    this.live.clear();
-    this.update();
+    this.endLive();
   }
 
   /** Pieces of crack of a run that is under way. */
   addLive(pieces: OpenedPieces): void {
-    this.live.add(pieces);
+    if (this.live.add(pieces)) return this.viewer.drawOver();
+    this.input.showPlain(this.viewer.hurry(true));
     this.update();
   }
 
@@ -56,9 +58,10 @@ export class Stage {
     return !this.live.empty;
   }
 
-  /** The run that was under way came to nothing: the last picture is seen again. */
+  /** No run is under way: the last picture is seen again. */
   endLive(): void {
     this.live.clear();
+    this.input.showPlain(this.viewer.hurry(false));
     this.update();
   }
 
@@ -91,9 +94,8 @@ export class Stage {
   }
 
   setLook(material: string): void {
-    this.input.setLook(material);
-    this.cracked.surface.setLook(material);
-    this.viewer.draw();
+    const surfaces = [this.input, this.cracked.surface];
+    if (surfaces.filter((surface) => surface.setLook(material)).length > 0) this.viewer.draw();
   }
 
   showFragments(colored: boolean): void {
@@ -107,7 +109,7 @@ export class Stage {
   }
 
   setLineColor(color: number): void {
-    for (const { lines } of [this.cracked, this.kept]) lines.setColor(color);
+    for (const lines of [this.cracked.lines, this.kept.lines, this.live]) lines.setColor(color);
     this.viewer.draw();
   }
 
@@ -137,6 +139,7 @@ export class Stage {
 
   /** Shows the input with this paint on it, one value per vertex; null: no longer. */
   showPaint(paint: Float32Array | null, color: number): void {
+    if (!paint && !this.painting) return;
     this.painting = paint !== null;
     if (this.mesh) this.input.overlay(paint, this.mesh.triangles, color);
     this.update();

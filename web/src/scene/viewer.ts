@@ -11,7 +11,10 @@ export interface Split {
   show(side: "left" | "right"): void;
 }
 
-/** Whether a graphics processor draws: without one smooth edges take as long as all the rest. */
+const hurriedPixels = 150_000; // of a picture that is drawn by the processor while it has other work
+
+/** Whether a graphics processor draws: without one each picture costs the time of the run beside it,
+ * and smooth edges as much as all the rest. */
 function hasGraphics(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   const info = gl?.getExtension("WEBGL_debug_renderer_info");
@@ -25,14 +28,25 @@ export class Viewer {
   readonly scene = new three.Scene();
   readonly camera = new three.PerspectiveCamera(30, 1, 0.01, 100);
   readonly controls: OrbitControls;
+  /** What is drawn over the scene, as long as it only grows without the scene: drawOver(). */
+  readonly over = new three.Scene();
+  onOver: (all: boolean) => void = () => {}; // before it is drawn: all of it, or what is new
   private readonly renderer: three.WebGLRenderer;
+  private readonly graphics = hasGraphics();
+  private hurried = false;
   private asked = false;
+  private whole = false; // whether all is to be drawn in the next frame
   private readonly middle = new three.Vector3();
   private radius = 1;
 
   /** Throws Error where there is no WebGL. */
   constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new three.WebGLRenderer({ canvas, antialias: hasGraphics(), alpha: true });
+    this.renderer = new three.WebGLRenderer({
+      canvas,
+      antialias: this.graphics,
+      preserveDrawingBuffer: !this.graphics, // for drawOver()
+      alpha: true,
+    });
     this.renderer.toneMapping = three.ACESFilmicToneMapping;
     this.camera.up.set(0, 0, 1);
     const room = new three.PMREMGenerator(this.renderer);
@@ -51,12 +65,42 @@ export class Viewer {
 
   /** Draws once, in the next frame. */
   draw(): void {
+    this.whole = true;
+    this.ask();
+  }
+
+  /** The same where only more came over the scene. Without a graphics processor it alone is drawn. */
+  drawOver(): void {
+    this.whole ||= this.graphics || this.split !== null;
+    this.ask();
+  }
+
+  private ask(): void {
     if (this.asked) return;
     this.asked = true;
     requestAnimationFrame(() => {
       this.asked = false;
-      this.render();
+      if (this.whole) this.render();
+      else this.renderOver(false);
     });
+  }
+
+  /** Whether there is a run to compute beside: then large pictures are drawn coarsely where the
+   * processor draws them. Returns whether what is drawn should be plain too. */
+  hurry(hurried: boolean): boolean {
+    this.hurried = hurried && !this.graphics;
+    if (this.renderer.getPixelRatio() !== this.pixelRatio()) {
+      this.renderer.setPixelRatio(this.pixelRatio());
+      this.draw();
+    }
+    return this.hurried;
+  }
+
+  private pixelRatio(): number {
+    const ratio = Math.min(devicePixelRatio, 2);
+    if (!this.hurried) return ratio;
+    const { clientWidth, clientHeight } = this.canvas;
+    return Math.min(ratio, Math.sqrt(hurriedPixels / Math.max(clientWidth * clientHeight, 1)));
   }
 
   /** What is seen now, as PNG. */
@@ -68,17 +112,30 @@ export class Viewer {
   }
 
   private render(): void {
-    if (!this.split) return this.renderer.render(this.scene, this.camera);
+    this.whole = false;
+    if (!this.split) return this.renderAll();
     const { width, height } = this.renderer.getSize(new three.Vector2());
     const left = Math.round(this.split.at * width);
     this.renderer.setScissorTest(true);
     this.split.show("left");
     this.renderer.setScissor(0, 0, left, height);
-    this.renderer.render(this.scene, this.camera);
+    this.renderAll();
     this.split.show("right");
     this.renderer.setScissor(left, 0, width - left, height);
-    this.renderer.render(this.scene, this.camera);
+    this.renderAll();
     this.renderer.setScissorTest(false);
+  }
+
+  private renderAll(): void {
+    this.renderer.render(this.scene, this.camera);
+    this.renderOver(true);
+  }
+
+  private renderOver(all: boolean): void {
+    this.onOver(all);
+    this.renderer.autoClear = false;
+    this.renderer.render(this.over, this.camera);
+    this.renderer.autoClear = true;
   }
 
   /** Which axis points up. */
@@ -112,15 +169,23 @@ export class Viewer {
 
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement!;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(this.pixelRatio());
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(height, 1);
     this.camera.updateProjectionMatrix();
     this.draw();
   }
 
+  /** Pixels of the page that a unit of length has at a place. */
+  pixelsPerLength(place: three.Vector3): number {
+    const depth = -place.clone().applyMatrix4(this.camera.matrixWorldInverse).z;
+    const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.max(depth, this.camera.near);
+    return this.canvas.clientHeight / (2 * half);
+  }
+
   private key(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.altKey) return;
+    if ((event.ctrlKey || event.metaKey) && !event.key.startsWith("Arrow")) return;
     const around = new three.Spherical();
     const turned = new three.Quaternion().setFromUnitVectors(
       this.camera.up,

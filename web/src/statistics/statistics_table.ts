@@ -38,8 +38,9 @@ const th = (text: string, scope: string) =>
 const number = (x: number) => String(Number(x.toPrecision(3)));
 
 function valueOf({ value, error }: Measured): string {
-  if (error === null) return number(value!);
-  return `${number(value!)} ± ${Number(error.toPrecision(1))}`;
+  if (error === null || error === 0) return number(value!);
+  const digits = Math.min(Math.max(-Math.floor(Math.log10(error)), 0), 6);
+  return `${value!.toFixed(digits)} ± ${Number(error.toPrecision(1))}`; // no finer than it is known
 }
 
 const textOf = ([low, high]: readonly [number, number]) =>
