@@ -30,13 +30,24 @@ export class Seeing {
       view: (view) => void this.choose(view),
       wireframe: (shown) => this.stage.showWireframe(shown),
       directions: (shown) => this.stage.showMarks(shown),
-      lineColor: (color) => this.stage.setLineColor(color),
+      lineColor: (lineColor, chosen) => {
+        if (chosen) this.store.change({ lineColor });
+        else this.stage.setLineColor(lineColor);
+      },
       compare: () => this.compare(),
       stopComparing: () => this.stopComparing(),
       divide: (at) => this.stage.splitAt(at),
       loop: () => void this.attempt(() => this.loop.open()),
     });
     this.statistics = new StatisticsPanel(() => void this.attempt(() => this.measure()));
+  }
+
+  /** How it looks, as the project has it. */
+  showLook(): void {
+    const { project } = this.store;
+    this.stage.setLook(baseRecipe(project).picture.material);
+    this.stage.setLineColor(project.lineColor);
+    this.panel.showLineColor(project.lineColor);
   }
 
   /** A result was opened; `anew`: it is of another run than the one before. */

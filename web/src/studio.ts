@@ -4,12 +4,11 @@ import { CrazeError } from "./engine/memory";
 import type { CrackRequest, Input, Post, Summary } from "./engine/messages";
 import { Cancelled } from "./engine/worker_client";
 import { Exporting } from "./exporting";
-import { BrushTool } from "./paint/brush_tool";
+import { Brushing } from "./brushing";
 import { canvasOf, type Canvas } from "./paint/canvas";
 import { paintedAttributes } from "./paint/layers";
 import { Painting } from "./paint/painting";
 import { saveFile, saveProject } from "./project/autosave";
-import { baseRecipe } from "./project/base_recipe";
 import { ownRecipeOf, projectOf, toHash } from "./project/link";
 import { isOpened, postText } from "./project/openings";
 import { cracksOtherwise, opensOtherwise, type LayerName, type Project } from "./project/project";
@@ -25,6 +24,7 @@ import { Growth } from "./scene/growth";
 import { Stage } from "./scene/stage";
 import { Seeing } from "./seeing";
 import { acceptDrops, chooseFile, download } from "./ui/hand_over";
+import { KeysDialog } from "./ui/keys_dialog";
 import { Panel, type Actions, type Paint } from "./ui/panel";
 
 const accepted = ".obj,.ply,.stl,.off,.glb,.craze,.toml";
@@ -46,7 +46,8 @@ export class Studio {
   private readonly stage: Stage;
   private readonly panel: Panel;
   private readonly growth: Growth;
-  private readonly brush: BrushTool;
+  private readonly brushing: Brushing;
+  private readonly keys = new KeysDialog();
   private readonly seeing: Seeing;
   private readonly exporting: Exporting;
   private surface: { canvas: Canvas; triangles: Uint32Array; painting: Painting } | null = null;
@@ -84,11 +85,14 @@ export class Studio {
       paint: (paint) => this.choosePaint(paint),
       fill: () => this.paintAll("fill"),
       invert: () => this.paintAll("invert"),
+      takeMask: (name) => void this.attempt(() => this.takeMask(name)),
+      keys: () => this.keys.open(),
     };
     const { panel, statistics } = this.seeing;
     this.panel = new Panel(actions, { see: panel.root, statistics: statistics.root });
     view.after(this.panel.root);
-    this.brush = new BrushTool(this.stage.viewer, {
+    view.after(this.keys.root);
+    this.brushing = new Brushing(view, this.stage.viewer, this.panel.brushSize, {
       settings: () => ({
         size: this.panel.brushSize.value,
         strength: this.panel.brushStrength.value,
@@ -98,6 +102,7 @@ export class Studio {
       }),
       preview: (stroke) => this.previewStroke(stroke),
       finish: (stroke) => this.store.change({ strokes: [...this.store.project.strokes, stroke] }),
+      drop: () => this.refresh(),
       impact: (point) =>
         this.store.change({ impacts: [...this.store.project.impacts, point] }),
     });
@@ -127,7 +132,7 @@ export class Studio {
   private refresh(): void {
     const { project, canUndo, canRedo } = this.store;
     this.panel.show(project, this.surface?.canvas.diagonal ?? 1, canUndo, canRedo);
-    this.stage.setLook(baseRecipe(project).picture.material);
+    this.seeing.showLook();
     this.surface?.painting.follow(project.strokes);
     this.showPaint();
   }
@@ -143,9 +148,13 @@ export class Studio {
         this.store.project.source.kind === "shape" || canvas.size[2] === 0 ? "z" : "y",
       );
       this.stage.setInput(mesh, canvas.low, canvas.size);
-      this.brush.setSurface(canvas, triangles);
+      this.brushing.setSurface(canvas, triangles);
+      this.panel.masks.set(mesh.masks);
       this.cracked = false;
       this.seeing.clear();
+      for (const name of this.surface.painting.missing(this.store.project.strokes)) {
+        await this.provide(name);
+      }
       this.refresh();
       this.panel.tell(mesh.warnings.join(" "));
     });
@@ -198,6 +207,8 @@ export class Studio {
   private request(): CrackRequest {
     const { project } = this.store;
     const painting = this.surface?.painting;
+    const missing = painting?.missing(project.strokes) ?? [];
+    if (missing.length > 0) throw new Error(`The file has no ${missing[0]} to be a mask.`);
     painting?.follow(project.strokes);
     const painted = painting ? paintedAttributes(project, painting) : [];
     return { input: this.input(), painted, recipe: recipeRequest(project) };
@@ -209,7 +220,7 @@ export class Studio {
 
   private choosePaint(paint: Paint): void {
     this.layer = paint === "None" || paint === "Impact" ? null : (paint.toLowerCase() as LayerName);
-    this.brush.tool = paint === "Impact" ? "impact" : this.layer;
+    this.brushing.hold(paint === "Impact" ? "impact" : this.layer);
     this.showPaint();
   }
 
@@ -222,6 +233,19 @@ export class Studio {
     const whole = { kind, layer, strength, erase, along: false, mirror: false };
     const stroke: Stroke = { ...whole, radius: 0, dabs: [] };
     store.change({ strokes: [...store.project.strokes, stroke] });
+  }
+
+  /** A mask of the file becomes the paint. */
+  private async takeMask(from: string): Promise<void> {
+    const { layer, store, surface } = this;
+    if (!layer || !surface) return;
+    if (surface.painting.missing([fileStroke(layer, from)]).length > 0) await this.provide(from);
+    store.change({ strokes: [...store.project.strokes, fileStroke(layer, from)] });
+  }
+
+  private async provide(name: string): Promise<void> {
+    const { surface } = this;
+    surface?.painting.provide(name, await this.engine.mask(this.input(), name));
   }
 
   private showPaint(): void {
@@ -312,6 +336,7 @@ export class Studio {
   }
 
   private key(event: KeyboardEvent): void {
+    if (event.key === "?") return this.keys.open();
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
     event.preventDefault();
     if (event.shiftKey) this.store.redo();
@@ -330,4 +355,9 @@ export class Studio {
       this.panel.complain(error instanceof CrazeError ? message.replace("/studio/", "") : message);
     }
   }
+}
+
+function fileStroke(layer: LayerName, from: string): Stroke {
+  const plain = { strength: 100, erase: false, along: false, mirror: false, radius: 0, dabs: [] };
+  return { kind: "file", layer, from, ...plain };
 }

@@ -26,6 +26,21 @@ export interface CrazeModule {
   _craze_mesh_shape(specification: Pointer, error: Pointer): Pointer;
   _craze_mesh_warning(mesh: Pointer, index: bigint): Pointer;
   _craze_mesh_free(mesh: Pointer): void;
+  _craze_mesh_masks(mesh: Pointer, error: Pointer): Pointer;
+  _craze_mesh_mask(mesh: Pointer, name: Pointer, values: Pointer, error: Pointer): Status;
+  _craze_mesh_material_name(mesh: Pointer, index: bigint): Pointer;
+  _craze_mesh_texture(mesh: Pointer, material: bigint, file: Pointer, error: Pointer): Status;
+  _craze_mesh_mask_picture(
+    mesh: Pointer,
+    material: bigint,
+    pixels: Pointer,
+    type: number,
+    width: bigint,
+    height: bigint,
+    channels: number,
+    values: Pointer,
+    error: Pointer,
+  ): Status;
   _craze_mesh_set(
     mesh: Pointer,
     name: Pointer,

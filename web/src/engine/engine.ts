@@ -4,6 +4,8 @@ import wasmUrl from "./generated/craze.wasm?url";
 import type * as m from "./messages";
 import { Cancelled, WorkerClient } from "./worker_client";
 
+const later = 400; // ms: another worker starts once the present one has begun
+
 async function compile(): Promise<WebAssembly.Module> {
   const response = await fetch(wasmUrl);
   if (!response.ok) throw new Error(`cannot load the engine (${response.status})`);
@@ -15,13 +17,18 @@ export class Engine {
   onProgress: (progress: m.Progress) => void = () => {};
   onOpened: (pieces: m.OpenedPieces) => void = () => {};
   private readonly code = compile();
-  private spare = new WorkerClient(this.code);
+  private spare: WorkerClient | null = new WorkerClient(this.code); // for what comes next
   private running: WorkerClient | null = null;
   private result: WorkerClient | null = null;
 
   /** The surface of an input. Throws CrazeError. */
   look(input: m.Input): Promise<m.InputMesh> {
     return this.alone((worker) => worker.ask("look", { input }));
+  }
+
+  /** One of the masks of an input, one number per vertex. Throws CrazeError, and Error. */
+  async mask(input: m.Input, name: string): Promise<Float32Array> {
+    return (await this.alone((worker) => worker.ask("mask", { input, name }))).values;
   }
 
   /** Cracks it, ending a run that is under way. Throws CrazeError, and Cancelled. */
@@ -92,7 +99,7 @@ export class Engine {
 
   /** The paper's loop after so many cracks. */
   loop(cracks: number, seed: number): Promise<m.LoopState> {
-    return this.spare.ask("loop", { cracks, seed });
+    return this.next().ask("loop", { cracks, seed });
   }
 
   paintedInput(request: m.CrackRequest, name: string): Promise<m.OutputFile[]> {
@@ -105,11 +112,18 @@ export class Engine {
   }
 
   private take(): WorkerClient {
-    const worker = this.spare.isGone ? new WorkerClient(this.code) : this.spare;
+    const worker = this.next();
     worker.onProgress = (progress) => this.onProgress(progress);
     worker.onOpened = (pieces) => this.onOpened(pieces);
-    this.spare = new WorkerClient(this.code);
+    this.spare = null;
+    setTimeout(() => this.next(), later);
     return worker;
+  }
+
+  /** One that has nothing to do. */
+  private next(): WorkerClient {
+    if (!this.spare || this.spare.isGone) this.spare = new WorkerClient(this.code);
+    return this.spare;
   }
 
   private async alone<T>(work: (worker: WorkerClient) => Promise<T>): Promise<T> {

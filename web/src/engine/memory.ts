@@ -18,7 +18,7 @@ export class CrazeError extends Error {
 
 /** Numbers in rows, one after the other. */
 export interface Rows {
-  values: Float64Array | Float32Array | Int32Array;
+  values: Float64Array | Float32Array | Int32Array | Uint8Array;
   rows: number;
   columns: number;
 }
@@ -57,6 +57,17 @@ export class Memory {
     const pointer = this.allocate(8 * count);
     try {
       if (values) this.craze.HEAPF64.set(values, pointer / 8);
+      return body(pointer);
+    } finally {
+      this.craze._free(pointer);
+    }
+  }
+
+  /** The same with bytes. */
+  withBytes<T>(bytes: Uint8Array | Uint8ClampedArray, body: (at: number) => T): T {
+    const pointer = this.allocate(bytes.length);
+    try {
+      this.craze.HEAPU8.set(bytes, pointer);
       return body(pointer);
     } finally {
       this.craze._free(pointer);
@@ -103,6 +114,12 @@ export class Memory {
     return text;
   }
 
+  /** The file of a material's texture; empty where there is none. */
+  texture(mesh: number, material: bigint): Uint8Array {
+    this.check((error) => this.craze._craze_mesh_texture(mesh, material, this.array, error));
+    return this.foundRows("texture").values as Uint8Array;
+  }
+
   private rowsOf(name: string, find: (name: number, array: number, error: number) => number): Rows {
     this.withText(name, (at) => this.check((error) => find(at, this.array, error)));
     return this.foundRows(name);
@@ -113,7 +130,7 @@ export class Memory {
     const data = view.getUint32(0, true);
     const rows = Number(view.getBigInt64(8, true));
     const columns = view.getInt32(16, true);
-    const type = [Float64Array, Float32Array, Int32Array][view.getInt32(20, true)];
+    const type = [Float64Array, Float32Array, Int32Array, Uint8Array][view.getInt32(20, true)];
     if (!type) throw new CrazeError(7, `unknown type of array (${name})`);
     const values = new type(this.craze.HEAPU8.buffer as ArrayBuffer, data, rows * columns).slice();
     return { values, rows, columns };

@@ -32,6 +32,7 @@ export interface InputMesh {
   positions: Float32Array; // three per vertex
   triangles: Uint32Array; // three per triangle
   normals: Float32Array; // three per corner, unit
+  masks: string[]; // what of it may be a mask
   warnings: string[];
 }
 
@@ -118,6 +119,7 @@ export interface OutputFile {
 export interface Requests {
   start: { request: { code: WebAssembly.Module; life: string }; reply: null };
   look: { request: { input: Input }; reply: InputMesh };
+  mask: { request: { input: Input; name: string }; reply: { values: Float32Array } };
   crack: { request: CrackRequest; reply: Summary };
   open: { request: Post; reply: Picture };
   moment: { request: { time: number }; reply: Moment };

@@ -4,6 +4,7 @@ import { crackEdges } from "./crack_edges";
 import type { CrazeModule } from "./craze_module";
 import { fieldsOf } from "./fields";
 import { mapFiles } from "./map_files";
+import { maskNames, maskValues } from "./masks";
 import { Memory } from "./memory";
 import type * as m from "./messages";
 import { loopState } from "./paper_loop";
@@ -59,8 +60,14 @@ export class Session {
       positions: Float32Array.from(positions),
       triangles: Uint32Array.from(triangles),
       normals: shading(this.craze, this.memory, this.mesh, triangles.length),
+      masks: maskNames(this.craze, this.memory, this.mesh),
       warnings: this.memory.list((i) => this.craze._craze_mesh_warning(this.mesh, i)),
     };
+  }
+
+  async mask(input: m.Input, name: string): Promise<{ values: Float32Array }> {
+    this.read(input);
+    return { values: await maskValues(this.craze, this.memory, this.mesh, name) };
   }
 
   crack(request: m.CrackRequest): m.Summary {

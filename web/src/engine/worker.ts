@@ -26,6 +26,8 @@ async function answer({ kind, request }: ToWorker): Promise<Reply> {
   switch (kind) {
     case "look":
       return session.look(request.input);
+    case "mask":
+      return session.mask(request.input, request.name);
     case "crack":
       return session.crack(request);
     case "open":

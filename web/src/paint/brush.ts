@@ -12,12 +12,15 @@ export interface Ink {
   columns: number;
 }
 
-/** The vertices that a stroke changed and what they had before, row by row. */
+/** The vertices that a stroke changed and what they had before, row by row; null: all of them. */
 export interface Delta {
   ink: Ink;
-  vertices: Uint32Array;
+  vertices: Uint32Array | null;
   before: Float32Array;
 }
+
+/** Masks of the file, by name, one number per vertex. */
+export type Masks = ReadonlyMap<string, Float32Array>;
 
 /** Where a brush came down, in the units of the surface. */
 interface Dab {
@@ -26,17 +29,25 @@ interface Dab {
   target: readonly number[]; // one per column
 }
 
-/** Paints: full in the middle of a dab, soft to its edge. */
-export function applyStroke(canvas: Canvas, stroke: Stroke, ink: Ink): Delta {
+/** Paints: full in the middle of a dab, soft to its edge. Dabs before `first` are painted already.
+ * A mask of the file that is not there leaves all as it is. */
+export function applyStroke(
+  canvas: Canvas,
+  stroke: Stroke,
+  ink: Ink,
+  masks: Masks,
+  first = 0,
+): Delta {
+  if (stroke.kind !== "brush") {
+    const before = ink.values.slice();
+    applyEverywhere(stroke, ink, masks);
+    return { ink, vertices: null, before };
+  }
   const changed = new Map<number, Float32Array>();
   const keep = (v: number) => {
     if (!changed.has(v)) changed.set(v, ink.values.slice(ink.columns * v, ink.columns * (v + 1)));
   };
-  if (stroke.kind !== "brush") {
-    applyEverywhere(stroke, ink, keep);
-  } else {
-    for (const dab of dabsOf(canvas, stroke, ink)) applyDab(canvas, stroke, dab, ink, keep);
-  }
+  for (const dab of dabsOf(canvas, stroke, ink, first)) applyDab(canvas, stroke, dab, ink, keep);
   const before = new Float32Array(ink.columns * changed.size);
   [...changed.values()].forEach((row, i) => before.set(row, ink.columns * i));
   return { ink, vertices: Uint32Array.from(changed.keys()), before };
@@ -44,22 +55,27 @@ export function applyStroke(canvas: Canvas, stroke: Stroke, ink: Ink): Delta {
 
 export function takeBack({ ink, vertices, before }: Delta): void {
   const { values, columns } = ink;
+  if (!vertices) return values.set(before);
   vertices.forEach((vertex, i) =>
     values.set(before.subarray(columns * i, columns * (i + 1)), columns * vertex),
   );
 }
 
-function applyEverywhere(stroke: Stroke, ink: Ink, keep: (v: number) => void): void {
+function applyEverywhere(stroke: Stroke, { values }: Ink, masks: Masks): void {
+  if (stroke.kind === "file") {
+    const mask = masks.get(stroke.from!);
+    if (mask) values.set(mask);
+    return;
+  }
   const amount = stroke.strength / 100;
   const target = stroke.erase ? 0 : 1;
-  for (let v = 0; v < ink.values.length; ++v) {
-    const old = ink.values[v]!;
-    keep(v);
-    ink.values[v] = stroke.kind === "invert" ? 1 - old : old + amount * (target - old);
+  for (let v = 0; v < values.length; ++v) {
+    const old = values[v]!;
+    values[v] = stroke.kind === "invert" ? 1 - old : old + amount * (target - old);
   }
 }
 
-function dabsOf({ low, size }: Canvas, stroke: Stroke, ink: Ink): Dab[] {
+function dabsOf({ low, size }: Canvas, stroke: Stroke, ink: Ink, first: number): Dab[] {
   const dabs: Dab[] = [];
   let last: Dab["at"] | null = null;
   for (let i = 0; i < stroke.dabs.length; i += 6) {
@@ -69,7 +85,7 @@ function dabsOf({ low, size }: Canvas, stroke: Stroke, ink: Ink): Dab[] {
     const normal = [n[3]!, n[4]!, n[5]!] as const;
     const target = stroke.erase ? Array(ink.columns).fill(0) : targetOf(ink, last, at);
     last = at;
-    if (!target) continue;
+    if (!target || i < 6 * first) continue;
     dabs.push({ at, normal, target });
     if (!stroke.mirror) continue;
     const mirrored = [low[0] + size[0] - (at[0] - low[0]), at[1], at[2]] as const;

@@ -1,9 +1,11 @@
-// The pointer on the canvas as a brush, or as a hammer. The camera turns where it misses.
+// The brush, or the hammer, on the surface: what the pointer and the keyboard do with it.
 import type { LayerName, Stroke } from "../project/project";
 import type { Viewer } from "../scene/viewer";
 import { steps } from "./brush";
 import type { Canvas } from "./canvas";
-import { dabOf, Picking } from "./picking";
+import { dabOf, Picking, type Hit, type Place } from "./picking";
+
+export type Tool = LayerName | "impact";
 
 export interface BrushSettings {
   size: number; // radius over the diagonal
@@ -17,73 +19,93 @@ export interface BrushEvents {
   settings(): BrushSettings;
   preview(stroke: Stroke): void;
   finish(stroke: Stroke): void;
+  drop(): void; // the stroke that was previewed is none
   impact(point: [number, number, number]): void;
 }
 
+const impactSize = 0.05; // radius of a blow over the diagonal
+
 export class BrushTool {
-  tool: LayerName | "impact" | null = null;
+  private chosen: Tool | null = null;
   private surface: { canvas: Canvas; picking: Picking } | null = null;
   private stroke: Stroke | null = null;
 
   constructor(
     private readonly viewer: Viewer,
     private readonly events: BrushEvents,
-  ) {
-    const { canvas } = viewer;
-    canvas.addEventListener("pointerdown", (event) => this.down(event), { capture: true });
-    canvas.addEventListener("pointermove", (event) => this.move(event), { capture: true });
-    for (const end of ["pointerup", "pointercancel"] as const) {
-      canvas.addEventListener(end, () => this.up(), { capture: true });
-    }
+  ) {}
+
+  get tool(): Tool | null {
+    return this.chosen;
+  }
+
+  /** Another one ends a stroke. */
+  set tool(tool: Tool | null) {
+    this.end();
+    this.chosen = tool;
+  }
+
+  get isDown(): boolean {
+    return this.stroke !== null;
   }
 
   setSurface(canvas: Canvas, triangles: Uint32Array): void {
+    this.stroke = null;
     this.surface = { canvas, picking: new Picking(canvas.positions, triangles) };
   }
 
-  private down(event: PointerEvent): void {
-    if (!this.tool || !this.surface || event.button !== 0) return;
-    const hit = this.surface.picking.at(event, this.viewer.camera);
-    if (!hit) return;
-    this.viewer.controls.enabled = false;
-    if (this.tool === "impact") {
+  /** The surface at a place of the view; null where there is none. */
+  at(place: Place): Hit | null {
+    return this.surface?.picking.at(place, this.viewer.camera) ?? null;
+  }
+
+  /** How large the brush is in pixels of the page, where it hits. */
+  radiusAt({ point }: Hit): number {
+    const size = this.chosen === "impact" ? impactSize : this.events.settings().size;
+    return size * this.surface!.canvas.diagonal * this.viewer.pixelsPerLength(point);
+  }
+
+  /** A blow, or the beginning of a stroke; `pressure`: 0 … 1. */
+  begin(hit: Hit, pressure: number): void {
+    if (!this.chosen || !this.surface) return;
+    if (this.chosen === "impact") {
       const [x, y, z] = hit.point.toArray().map((value) => Number(value.toPrecision(5)));
-      this.events.impact([x!, y!, z!]);
-      this.viewer.controls.enabled = true;
-      return;
+      return this.events.impact([x!, y!, z!]);
     }
     const { size, strength, along, erase, mirror } = this.events.settings();
-    // A pen presses; a mouse and a finger say 0.5 or 0.
-    const pressure = event.pointerType === "pen" ? event.pressure : 1;
     this.stroke = {
       kind: "brush",
-      layer: this.tool,
-      along: along && this.tool === "stress",
+      layer: this.chosen,
+      along: along && this.chosen === "stress",
       radius: Math.round(size * steps),
       strength: Math.max(1, Math.round(100 * strength * pressure)),
       erase,
       mirror,
       dabs: dabOf(hit, this.surface.canvas),
     };
-    this.viewer.canvas.setPointerCapture(event.pointerId);
     this.events.preview(this.stroke);
   }
 
-  private move(event: PointerEvent): void {
+  /** The brush goes on to a place, if it is down. */
+  moveTo(hit: Hit): void {
     if (!this.stroke || !this.surface) return;
-    const hit = this.surface.picking.at(event, this.viewer.camera);
-    if (!hit) return;
     const dab = dabOf(hit, this.surface.canvas);
     if (this.fromLast(dab) < this.stroke.radius / 3) return;
     this.stroke = { ...this.stroke, dabs: [...this.stroke.dabs, ...dab] };
     this.events.preview(this.stroke);
   }
 
-  private up(): void {
-    this.viewer.controls.enabled = true;
+  end(): void {
     const { stroke } = this;
     this.stroke = null;
     if (stroke) this.events.finish(stroke);
+  }
+
+  /** Ends it as if it had not been. */
+  drop(): void {
+    if (!this.stroke) return;
+    this.stroke = null;
+    this.events.drop();
   }
 
   /** In 1/65535 of the diagonal. */

@@ -11,10 +11,10 @@ export interface Canvas {
 export function canvasOf(positions: Float32Array, triangles: Uint32Array): Canvas {
   const low: Canvas["low"] = [Infinity, Infinity, Infinity];
   const high: Canvas["low"] = [-Infinity, -Infinity, -Infinity];
-  positions.forEach((x, i) => {
-    low[i % 3] = Math.min(low[i % 3]!, x);
-    high[i % 3] = Math.max(high[i % 3]!, x);
-  });
+  for (let i = 0; i < positions.length; ++i) {
+    low[i % 3] = Math.min(low[i % 3]!, positions[i]!);
+    high[i % 3] = Math.max(high[i % 3]!, positions[i]!);
+  }
   const size: Canvas["size"] = [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
   const diagonal = Math.sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
   return { positions, normals: vertexNormals(positions, triangles), low, size, diagonal };

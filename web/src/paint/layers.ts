@@ -26,7 +26,19 @@ export const layers: Record<LayerName, Layer> = {
   mask: { attribute: "paint_mask", key: "where.attribute", value: (p) => p },
 };
 
+/** The attribute of the file that the mask is, where nothing else was painted, on it or elsewhere:
+ * then the file itself is what the command reads. */
+export function ownMask({ strokes }: Project): string | null {
+  const last = strokes.at(-1);
+  if (last?.kind !== "file" || !strokes.every(({ layer }) => layer === "mask")) return null;
+  return isTexture(last.from!) ? null : last.from!;
+}
+
+/** Whether a mask of the file is in a texture of it, not at its vertices. */
+export const isTexture = (name: string) => /^texture(:[rgba])?$/.test(name);
+
 export function paintedLayers(project: Project): LayerName[] {
+  if (ownMask(project) !== null) return [];
   return layerNames.filter((name) => project.strokes.some((stroke) => stroke.layer === name));
 }
 

@@ -4,33 +4,42 @@ import { MeshBVH } from "three-mesh-bvh";
 import { steps } from "./brush";
 import type { Canvas } from "./canvas";
 
+/** A place of the canvas, 0 … 1 from the left and from the top. */
+export interface Place {
+  x: number;
+  y: number;
+}
+
 export interface Hit {
   point: three.Vector3;
   normal: three.Vector3;
 }
 
 export class Picking {
-  private readonly tree: MeshBVH;
+  private tree: MeshBVH | null = null; // made when it is asked for: whoever does not paint needs none
   private readonly ray = new three.Raycaster();
 
-  constructor(positions: Float32Array, triangles: Uint32Array) {
-    const geometry = new three.BufferGeometry();
-    geometry.setAttribute("position", new three.BufferAttribute(positions, 3));
-    geometry.setIndex(new three.BufferAttribute(triangles.slice(), 1)); // the tree sorts it
-    this.tree = new MeshBVH(geometry);
-  }
+  constructor(
+    private readonly positions: Float32Array,
+    private readonly triangles: Uint32Array,
+  ) {}
 
   /** What is seen at a place of the canvas, null where there is nothing. */
-  at(event: PointerEvent, camera: three.Camera): Hit | null {
-    const box = (event.target as HTMLElement).getBoundingClientRect();
-    const x = (2 * (event.clientX - box.left)) / box.width - 1;
-    const y = 1 - (2 * (event.clientY - box.top)) / box.height;
-    this.ray.setFromCamera(new three.Vector2(x, y), camera);
+  at({ x, y }: Place, camera: three.Camera): Hit | null {
+    this.ray.setFromCamera(new three.Vector2(2 * x - 1, 1 - 2 * y), camera);
+    this.tree ??= this.makeTree();
     const hit = this.tree.raycastFirst(this.ray.ray, three.DoubleSide);
     if (!hit?.face) return null;
     const normal = hit.face.normal.clone();
     if (normal.dot(this.ray.ray.direction) > 0) normal.negate();
     return { point: hit.point, normal };
+  }
+
+  private makeTree(): MeshBVH {
+    const geometry = new three.BufferGeometry();
+    geometry.setAttribute("position", new three.BufferAttribute(this.positions, 3));
+    geometry.setIndex(new three.BufferAttribute(this.triangles.slice(), 1)); // the tree sorts it
+    return new MeshBVH(geometry);
   }
 }
 

@@ -25,7 +25,8 @@ function strokeOf(value: unknown): Stroke {
   if (!layerNames.includes(stroke?.layer)) wrong("layer of a stroke");
   if (!isNumber(stroke.radius) || !isNumber(stroke.strength)) wrong("numbers of a stroke");
   if (!isList(stroke.dabs) || stroke.dabs.length % 6 !== 0) wrong("dabs of a stroke");
-  const kind = (["fill", "invert"] as const).find((name) => name === stroke.kind) ?? "brush";
+  const kind = (["fill", "invert", "file"] as const).find((name) => name === stroke.kind) ?? "brush";
+  if (kind === "file" && typeof stroke.from !== "string") wrong("file of a stroke");
   const [along, erase, mirror] = [stroke.along, stroke.erase, stroke.mirror].map((x) => x === true);
   return { ...stroke, kind, along: along!, erase: erase!, mirror: mirror! };
 }
@@ -75,6 +76,7 @@ export function projectOf(json: unknown): Project {
     spacing: numberOr(value["spacing"], null, "spacing", 0),
     load: numberOr(value["load"], null, "load", 0),
     ...openingsOf(value),
+    lineColor: numberOr(value["lineColor"], firstProject.lineColor, "lineColor", 0) & 0xffffff,
     strokes: strokes.map(strokeOf),
     impacts: impacts as unknown as Project["impacts"],
   };

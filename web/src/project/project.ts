@@ -11,7 +11,8 @@ export type LayerName = (typeof layerNames)[number];
  * were: places in 1/65535 of the box of the input, radius in the same of its diagonal, strength in
  * 1/100; normals are of length 127. */
 export interface Stroke {
-  kind: "brush" | "fill" | "invert"; // the last two are of the whole surface
+  kind: "brush" | "fill" | "invert" | "file"; // all but the first are of the whole surface
+  from?: string; // of "file": which of the file's masks the layer becomes
   layer: LayerName;
   along: boolean; // stress alone: tension along the way that the brush goes, none across it
   radius: number;
@@ -37,6 +38,7 @@ export interface Project extends Openings {
   seed: number;
   spacing: number | null; // layer.spacing in the mesh's unit; null: the recipe's
   load: number | null; // evolution.max_load; null: the recipe's
+  lineColor: number; // of cracks, red · 65536 + green · 256 + blue
   strokes: readonly Stroke[];
   impacts: readonly (readonly [number, number, number])[];
 }
@@ -49,6 +51,7 @@ export const firstProject: Project = {
   spacing: 0.14,
   load: null,
   ...noOpenings,
+  lineColor: 0x1b130e,
   strokes: [],
   impacts: [],
 };

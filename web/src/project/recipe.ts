@@ -1,6 +1,6 @@
 // The recipe of a project as keys that differ from its preset: for the engine and for the command.
 import type { RecipeRequest } from "../engine/messages";
-import { layers, paintedLayers } from "../paint/layers";
+import { layers, ownMask, paintedLayers } from "../paint/layers";
 import { noOpenings, postKeys } from "./openings";
 import type { OwnRecipe, Project } from "./project";
 
@@ -27,6 +27,8 @@ function changedKeys(project: Project): [string, string][] {
   for (const name of paintedLayers(project)) {
     set.push([layers[name].key, JSON.stringify(layers[name].attribute)]);
   }
+  const mask = ownMask(project);
+  if (mask !== null) set.push([layers.mask.key, JSON.stringify(mask)]);
   project.impacts.forEach((point, i) => {
     set.push([`impact.${i}.point`, `[${point.join(",")}]`]);
     set.push([`impact.${i}.relative_radius`, "0.05"]);

@@ -143,8 +143,11 @@ export class CrackLines {
     this.uniforms.time.value = time;
   }
 
-  setColor(color: number): void {
-    this.uniforms.color.value.set(color);
+  /** Returns whether it is another one. */
+  setColor(color: number): boolean {
+    const { value } = this.uniforms.color;
+    const before = value.getHex();
+    return value.set(color).getHex() !== before;
   }
 
   /** The first cracks dark, the last ones light. */

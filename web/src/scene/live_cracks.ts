@@ -31,8 +31,8 @@ export class LiveCracks {
     return more;
   }
 
-  setColor(color: number): void {
-    this.lines.setColor(color);
+  setColor(color: number): boolean {
+    return this.lines.setColor(color);
   }
 
   /** They are drawn now, all of them or those that were not yet. */

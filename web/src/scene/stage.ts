@@ -34,9 +34,9 @@ export class Stage {
     this.keep(null);
     this.hot = false;
     const positions = new Float32Array(3 * mesh.triangles.length);
-    mesh.triangles.forEach((vertex, corner) =>
-      positions.set(mesh.positions.subarray(3 * vertex, 3 * vertex + 3), 3 * corner),
-    );
+    for (let i = 0; i < positions.length; ++i) {
+      positions[i] = mesh.positions[3 * mesh.triangles[Math.floor(i / 3)]! + (i % 3)]!;
+    }
     this.input.set(positions, mesh.normals, null, null);
     this.viewer.frame(low, size);
     this.update();
@@ -109,8 +109,8 @@ export class Stage {
   }
 
   setLineColor(color: number): void {
-    for (const lines of [this.cracked.lines, this.kept.lines, this.live]) lines.setColor(color);
-    this.viewer.draw();
+    const all = [this.cracked.lines, this.kept.lines, this.live];
+    if (all.filter((lines) => lines.setColor(color)).length > 0) this.viewer.draw();
   }
 
   showWireframe(shown: boolean): void {

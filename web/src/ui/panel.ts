@@ -4,6 +4,7 @@ import type { Project } from "../project/project";
 import { ofPreset } from "../project/recipe";
 import { parameter, presetTable } from "../project/tables";
 import { button, checkbox, combobox, element, radioGroup, type Choice } from "./elements";
+import { MaskRow } from "./mask_row";
 import { OpeningSliders } from "./opening_sliders";
 import { pictureOf } from "./preset_pictures";
 import { Slider } from "./slider";
@@ -28,6 +29,8 @@ export interface Actions {
   paint(paint: Paint): void;
   fill(): void;
   invert(): void;
+  takeMask(name: string): void;
+  keys(): void;
 }
 
 const shapes: Choice[] = [
@@ -67,6 +70,7 @@ export class Panel {
   readonly along = checkbox("Along the stroke", () => {});
   readonly erase = checkbox("Erase", () => {});
   readonly mirror = checkbox("Mirror in x", () => {});
+  readonly masks: MaskRow;
   private readonly cancelButton;
   private readonly fillButton;
   private readonly invertButton;
@@ -124,6 +128,7 @@ export class Panel {
         actions.paint(paint as Paint);
       },
     );
+    this.masks = new MaskRow(actions.takeMask);
     this.along.row.title = "Stress pulls in the direction in which the brush goes";
     this.fillButton = button("Fill", actions.fill);
     this.invertButton = button("Invert", actions.invert);
@@ -135,7 +140,12 @@ export class Panel {
     const group = (title: string, ...children: Node[]) =>
       element("section", {}, element("h2", {}, title), ...children);
     this.root.append(
-      row(button("Open", actions.open), this.undoButton, this.redoButton),
+      row(
+        button("Open", actions.open),
+        this.undoButton,
+        this.redoButton,
+        button("Keys", actions.keys, { "aria-keyshortcuts": "?" }),
+      ),
       this.shape.row,
       this.presets.group,
       row(
@@ -158,6 +168,7 @@ export class Panel {
         this.erase.row,
         this.mirror.row,
         row(this.fillButton, this.invertButton),
+        this.masks.root,
       ),
       more.see,
       more.statistics,
@@ -178,7 +189,9 @@ export class Panel {
 
   private showBrush(paint: Paint): void {
     this.along.input.disabled = paint !== "Stress";
-    this.fillButton.disabled = this.invertButton.disabled = paint === "None" || paint === "Impact";
+    const paints = paint !== "None" && paint !== "Impact";
+    this.fillButton.disabled = this.invertButton.disabled = !paints;
+    this.masks.enable(paints);
   }
 
   /** `diagonal`: of the input, which lengths go by; `spacing`: what holds where none is set. */

@@ -10,7 +10,7 @@ export interface SeeActions {
   view(view: View): void;
   wireframe(shown: boolean): void;
   directions(shown: boolean): void;
-  lineColor(color: number): void;
+  lineColor(color: number, chosen: boolean): void; // or looked at, while one is chosen
   compare(): void;
   stopComparing(): void;
   divide(at: number): void;
@@ -22,6 +22,7 @@ export class SeePanel {
   readonly view;
   private readonly directions;
   private readonly legend = element("p", { class: "legend", hidden: "" });
+  private readonly color = element("input", { type: "color" });
   private readonly divide: Slider;
   private readonly compare: HTMLButtonElement;
   private readonly stop: HTMLButtonElement;
@@ -31,8 +32,10 @@ export class SeePanel {
     this.view = combobox("Show", choices, (view) => actions.view(view as View));
     this.directions = checkbox("Principal directions", actions.directions);
     this.directions.input.checked = true;
-    const color = element("input", { type: "color", value: "#1b130e" });
-    color.addEventListener("input", () => actions.lineColor(Number.parseInt(color.value.slice(1), 16)));
+    for (const kind of ["input", "change"] as const) {
+      const value = () => Number.parseInt(this.color.value.slice(1), 16);
+      this.color.addEventListener(kind, () => actions.lineColor(value(), kind === "change"));
+    }
     this.divide = new Slider({
       name: "Divide",
       low: 0,
@@ -54,7 +57,7 @@ export class SeePanel {
       this.legend,
       this.directions.row,
       checkbox("Wireframe", actions.wireframe).row,
-      element("label", { class: "row" }, element("span", {}, "Line colour"), color),
+      element("label", { class: "row" }, element("span", {}, "Line colour"), this.color),
       this.divide.row,
       element(
         "div",
@@ -75,6 +78,10 @@ export class SeePanel {
     const bar = element("span", { class: "scale", "aria-hidden": "true" });
     bar.style.background = heatGradient;
     this.legend.replaceChildren("0", bar, `${rounded(scale.end)} ${scale.unit}`);
+  }
+
+  showLineColor(color: number): void {
+    this.color.value = `#${color.toString(16).padStart(6, "0")}`;
   }
 
   showComparing(comparing: boolean): void {

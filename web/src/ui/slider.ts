@@ -40,6 +40,12 @@ export class Slider {
     return rounded(this.low + (this.input.valueAsNumber / parts) * (this.high - this.low));
   }
 
+  /** Makes the value so many times as large, within the range; returns it. */
+  scale(factor: number): number {
+    this.show(Math.min(Math.max(this.value * factor, this.low), this.high));
+    return this.value;
+  }
+
   range(low: number, high: number): void {
     [this.low, this.high] = [low, high];
   }
