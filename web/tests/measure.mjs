@@ -72,18 +72,19 @@ async function twentyThousand(browser) {
   const { page, leave } = await visit(browser, still, start);
   await cracked(page);
   const [runs, natives] = [[], []];
-  for (let i = 0; i < times; ++i) {
+  for (let i = 0; i < 2 * times; ++i) {
     const keys = ["layer.spacing=0.1", `seed=${i + 2}`].flatMap((key) => ["--set", key]);
     natives.push(native(`shape:${shape}`, "--preset", "glaze", ...keys));
     runs.push(await page.evaluate(watch, "New seed"));
   }
   const of = (name) => least(runs.map((run) => run[name]));
+  const worst = (name) => Math.max(...runs.map((run) => run[name]));
   const wholes = runs.map((run, i) => run.whole / 1000 / natives[i]);
   say("first crack drawn after a change, 20,000 triangles", `${(of("first") / 1000).toFixed(2)} s`);
   say("whole run, the command's on one thread being 1", least(wholes).toFixed(2));
   say("the command", `${least(natives).toFixed(2)} s`);
-  say("longest task of the page's own thread meanwhile", `${of("task").toFixed(0)} ms`);
-  say("longest time between two frames", `${of("longest").toFixed(0)} ms`);
+  say("longest task of the page's own thread meanwhile", `${worst("task").toFixed(0)} ms`);
+  say("longest time between two frames, best and worst run", `${of("longest").toFixed(0)}, ${worst("longest").toFixed(0)} ms`);
   await leave();
 }
 
