@@ -32,7 +32,7 @@ export class MaskRow {
     this.select.replaceChildren(
       ...masks.map((name) => element("option", { value: name }, labelOf(name))),
     );
-    if (masks.length === 0) this.select.append(element("option", {}, "no colours or textures"));
+    if (masks.length === 0) this.select.append(element("option", {}, "none"));
     this.select.disabled = masks.length === 0;
     this.enable(this.paints);
   }
