@@ -33,6 +33,7 @@ const fragmentShader = `
     #include <colorspace_fragment>
   }`;
 
+const lineWidth = 2; // pixels of the page
 const corners = 4; // of a piece: two at its first end, two at its last
 const numbers = 8; // of a corner: place, other end, side, growth
 const stride = corners * numbers;
@@ -43,7 +44,7 @@ export class CrackLines {
   private readonly geometry = new three.BufferGeometry();
   private readonly uniforms = {
     resolution: { value: new three.Vector2(1, 1) },
-    width: { value: 2 }, // pixels
+    width: { value: lineWidth }, // pixels of the picture
     lift: { value: 5e-5 }, // toward the eye, in depth
     time: { value: 1 },
     color: { value: new three.Color(0x1b130e) },
@@ -61,8 +62,11 @@ export class CrackLines {
     });
     this.object = new three.Mesh(this.geometry, material);
     this.object.frustumCulled = false;
-    this.object.onBeforeRender = (renderer) =>
-      renderer.getDrawingBufferSize(this.uniforms.resolution.value);
+    this.object.onBeforeRender = (renderer) => {
+      const { resolution, width } = this.uniforms;
+      renderer.getDrawingBufferSize(resolution.value);
+      width.value = Math.max(lineWidth * renderer.getPixelRatio(), 1);
+    };
     this.makeRoom(0);
   }
 
