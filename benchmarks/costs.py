@@ -33,6 +33,8 @@ CASES = {
                "layer.relative_spacing=0.4", "--set", "evolution.cycles=4"],
     "opened": [PLATE, "--preset", "mud", "--set", "layer.relative_spacing=0.15",
                "--set", "post.gap=0.1", "--set", "post.wall=0.02"],
+    "solid": ["shape:sphere?n=20", "--preset", "mud", "--set", "layer.relative_spacing=0.2",
+              "--set", "post.thickness=0.1"],
     "euler": ["shape:plate?n=12&jitter=0.3", "--preset", "mud", "--set", "engine=euler",
               "--set", "evolution.time_step=0.2", "--set", "evolution.shrinkage=0.01",
               "--set", "layer.relative_spacing=0.3", "--max-cracks", "20"],

@@ -68,10 +68,14 @@ void ClosestPoint::build() {
   for (const Triangle& t : triangles_) {
     centers.emplace_back((positions_[t[0]] + positions_[t[1]] + positions_[t[2]]) / 3);
   }
-  nodes_.push_back({Vec3::Zero(), Vec3::Zero(), 0, static_cast<std::int32_t>(order_.size())});
+  const auto add_node = [&](std::int32_t first, std::int32_t count) {
+    nodes_.push_back({Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), first, count});
+  };
+  add_node(0, static_cast<std::int32_t>(order_.size()));
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const std::int32_t first = nodes_[n].first, count = nodes_[n].count;
     Vec3 low = Vec3::Constant(infinity), high = -low, center_low = low, center_high = high;
+    Vec3 normal_low = low, normal_high = high;
     for (std::int32_t i = first; i < first + count; ++i) {
       for (std::int32_t v : triangles_[order_[i]]) {
         low = low.cwiseMin(positions_[v]);
@@ -79,9 +83,13 @@ void ClosestPoint::build() {
       }
       center_low = center_low.cwiseMin(centers[order_[i]]);
       center_high = center_high.cwiseMax(centers[order_[i]]);
+      normal_low = normal_low.cwiseMin(normals_[order_[i]]);
+      normal_high = normal_high.cwiseMax(normals_[order_[i]]);
     }
     nodes_[n].low = low;
     nodes_[n].high = high;
+    nodes_[n].normal_low = normal_low;
+    nodes_[n].normal_high = normal_high;
     if (count <= leaf_size) {
       // In one order, whatever nth_element left: of equally near faces the first is found.
       std::sort(order_.begin() + first, order_.begin() + first + count);
@@ -97,9 +105,17 @@ void ClosestPoint::build() {
                      });
     nodes_[n].first = static_cast<std::int32_t>(nodes_.size());
     nodes_[n].count = 0;
-    nodes_.push_back({Vec3::Zero(), Vec3::Zero(), first, half});
-    nodes_.push_back({Vec3::Zero(), Vec3::Zero(), first + half, count - half});
+    add_node(first, half);
+    add_node(first + half, count - half);
   }
+}
+
+/// Whether any normal in the node's box has the filter's cosine.
+bool ClosestPoint::may_accept(const Node& node, const Filter& filter) {
+  constexpr double roundings = 1e-12;
+  const Vec3 most = (node.normal_low.cwiseProduct(filter.normal))
+                        .cwiseMax(node.normal_high.cwiseProduct(filter.normal));
+  return most.sum() >= filter.least - roundings;
 }
 
 void ClosestPoint::improve(Hit& best, std::int32_t f, const Vec3& point) const {
@@ -112,7 +128,8 @@ void ClosestPoint::improve(Hit& best, std::int32_t f, const Vec3& point) const {
 }
 
 ClosestPoint::Hit ClosestPoint::find(const Vec3& point, const Filter& filter) const {
-  Hit best{-1, Vec3::Zero(), point, infinity};  // its distance is squared until the end
+  // Its distance is squared until the end.
+  Hit best{-1, Vec3::Zero(), point, filter.farthest * filter.farthest};
   if (nodes_.empty()) return best;
   if (filter.hint >= 0 && accepts(filter.hint, filter)) improve(best, filter.hint, point);
   struct Entry {
@@ -127,6 +144,7 @@ ClosestPoint::Hit ClosestPoint::find(const Vec3& point, const Filter& filter) co
     const Entry e = stack[--top];
     if (e.distance >= best.distance) continue;
     const Node& node = nodes_[e.node];
+    if (!may_accept(node, filter)) continue;
     for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
       if (accepts(order_[i], filter)) improve(best, order_[i], point);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "craze/surface_mesh.h"
@@ -24,6 +25,8 @@ class ClosestPoint {
     std::int32_t hint = -1;      ///< a face that is likely near: makes the search shorter
     double enough = 0;           ///< any face within this distance will do
     double least = 0;            ///< cosine with a unit `normal` that a face must have
+    /// Only faces nearer than this.
+    double farthest = std::numeric_limits<double>::infinity();
   };
 
   /// labels: #F or empty. Keeps references: positions and triangles must outlive this.
@@ -46,10 +49,12 @@ class ClosestPoint {
  private:
   struct Node {
     Vec3 low, high;
+    Vec3 normal_low, normal_high;  // the box around its faces' normals
     std::int32_t first, count;  // a leaf's faces in order_; count 0: children at first, first + 1
   };
 
   void build();
+  static bool may_accept(const Node& node, const Filter& filter);
 
   const std::vector<Vec3>& positions_;
   const std::vector<Triangle>& triangles_;

@@ -28,6 +28,7 @@ double room_below(const ClosestPoint& surface, const Vec3& p, const Vec3& outwar
   for (int step = 0; step < most_steps; ++step) {
     const Vec3 centre = p - depth * outwards;
     const double radius = depth / share_of_room;
+    filter.farthest = radius;
     const ClosestPoint::Hit hit = surface.find(centre, filter);
     if (hit.face < 0 || hit.distance >= radius * (1 - tolerance)) return depth;
     // The depth at which the ball touches what was found: |w + d m|² = (d / share)².
