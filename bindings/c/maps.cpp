@@ -51,7 +51,7 @@ craze_maps* craze_job_bake(const craze_job* job, int32_t size, const char* names
     options.size = size;
     options.maps = kinds_of(names);
     options.green_up = green_up != 0;
-    options.post.late_width = job->result->report().recipe.post.late_width;
+    options.post = job->result->report().recipe.post;
     options.post.gap = gap;
     options.post.wall = wall;
     const CallbackContext context(*job);

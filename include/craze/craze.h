@@ -307,7 +307,7 @@ CRAZE_API craze_status craze_opening_positions_at(craze_opening* opening, double
 /* Maps of the cracks for the mesh's own UVs (docs/maps.md), `size` texels a side. `names`: those
  * wanted, with commas between them; NULL: all. `green_up`: 0 where the green of normals falls with
  * v (DirectX), else 1. `gap`, `wall`: width of the grooves over the opening, and their depth,
- * length. CRAZE_REQUEST where the mesh has no UVs. */
+ * length; the rest of [post] is the recipe's. CRAZE_REQUEST where the mesh has no UVs. */
 CRAZE_API craze_maps* craze_job_bake(const craze_job* job, int32_t size, const char* names,
                                      int32_t green_up, double gap, double wall, craze_error* error);
 CRAZE_API void craze_maps_free(craze_maps* maps);

@@ -48,6 +48,15 @@ class Maps(Case):
         narrow, wide = (result.bake(64, "mask", gap=g)["mask"].sum() for g in (0.05, 0.1))
         self.assertLess(narrow, wide)
 
+    def test_curl_of_the_recipe_lifts_rims(self):
+        flat, curled = (
+            craze.crack(plate(), "mud", seed=7, **KEEP, **{"post.gap": 0.05, "post.curl": curl})
+            .bake(64, ["height"])["height"]
+            for curl in (0, 2)
+        )
+        self.assertEqual(flat.max(), 0)
+        self.assertGreater(curled.max(), 0)
+
     def test_wrong_wishes_are_refused_with_a_reason(self):
         result = cracked()
         for wish in (

@@ -145,7 +145,8 @@ class Result:
 
         maps : names of docs/maps.md, such as ["mask", "normal"]; all where none are given
         green : "up" or "down" with v, of normals
-        gap, wall : width of the grooves over the cracks' opening, and their depth; the recipe's
+        gap, wall : width of the grooves over the cracks' opening, and their depth; the recipe's,
+            as curl and late width are
 
         Keys are the names; "SET_mask" where the materials need a texture set each, "mask.1001" where
         the UVs have tiles. Raises Error, also where the mesh has no UVs.

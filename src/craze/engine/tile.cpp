@@ -73,7 +73,7 @@ void roughen_tile(CrackedTile& tile, const Context& context) {
                                      roughness_options(tile.recipe, *tile.simulation), context);
   warn_of_roughness(tile.report, tile.recipe, rough);
   tile.rough =
-      std::make_unique<const CrackedAsset>(carry_onto_plane(tile.surface, rough.network, context));
+      std::make_shared<const CrackedAsset>(carry_onto_plane(tile.surface, rough.network, context));
   tile.network = tile.rough->network;
 }
 

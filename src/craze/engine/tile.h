@@ -30,8 +30,8 @@ TileSize read_tile_size(const std::string& period);
 struct CrackedTile {
   Recipe recipe;        ///< as it was run: lengths resolved
   SurfaceMesh surface;  ///< the simulation's mesh before its first cut
-  std::unique_ptr<const Simulation> simulation;
-  std::unique_ptr<const CrackedAsset> rough;  ///< what roughness cut; null: mesh() is as it grew
+  std::shared_ptr<const Simulation> simulation;
+  std::shared_ptr<const CrackedAsset> rough;  ///< what roughness cut; null: mesh() is as it grew
   CrackNetwork network;                       ///< the cracks of mesh()
   Components fragments;                       ///< the parts of mesh()
   Report report;

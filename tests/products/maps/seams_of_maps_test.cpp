@@ -71,6 +71,38 @@ TEST(SeamsOfMaps, ShowOnePlaceFromBothSides) {
   EXPECT_LT(height, 0.3 * texel * slope);
 }
 
+TEST(SeamsOfMaps, ShowOneCurledPieceFromBothSides) {
+  const int size = 256, samples = 2000;
+  MapSurface maps = plate_of_two_islands(8);
+  // Cracked along y = 1/2, from side to side.
+  TriangleMesh cut(maps.surface.positions, maps.surface.triangles);
+  maps.cracks.clear();
+  for (std::int32_t h = 0; h < 3 * cut.face_count(); ++h) {
+    const Vec3 a = cut.position(cut.from(h)), b = cut.position(cut.to(h));
+    if (cut.is_open(h) || a.y() != 0.5 || b.y() != 0.5 || b.x() < a.x()) continue;
+    MapCrack crack = crack_from(a.x(), a.y(), b.x(), b.y(), 0.04, 0.04);
+    crack.face = h / 3;
+    crack.roots = {cut.root(cut.from(h)), cut.root(cut.to(h))};
+    maps.cracks.push_back(crack);
+    cut.cut(h, 0);
+  }
+  ASSERT_EQ(maps.cracks.size(), 8U);
+  maps.cut = std::make_shared<const TriangleMesh>(std::move(cut));
+  MapOptions options = options_of(size, {MapKind::height});
+  options.post.curl = 1;
+  const Map height = bake(maps, options).front();
+  double apart = 0;
+  for (int i = 0; i < samples; ++i) {
+    const Vec3 p(0.5, (i + 0.5) / samples, 0);
+    if (std::abs(p.y() - 0.5) < 0.03) continue;  // of the groove the test above tells
+    EXPECT_GT(bilinear(height, 0, left_uv(p)), 0);
+    apart = std::max(apart,
+                     std::abs(bilinear(height, 0, left_uv(p)) - bilinear(height, 0, right_uv(p))));
+  }
+  // The curvature of the lift over a texel, of 1/154 of the plate.
+  EXPECT_LT(apart, 2e-4 * 0.02);
+}
+
 TEST(SeamsOfMaps, HaveTheFacesOnBothSidesAtTheBorder) {
   const MapSurface maps = plate_of_two_islands(8);
   const std::vector<std::uint8_t> at_border = faces_at_uv_border(maps.surface);

@@ -63,10 +63,12 @@ MapSurface moved(MapSurface maps, const Vec2& by) {
 }
 
 /// All maps of a tile of side 1 agree bit for bit with those of it cut open elsewhere.
-void expect_no_border(const MapSurface& surface, std::uint64_t seed) {
+void expect_no_border(const MapSurface& surface, std::uint64_t seed, double curl = 0) {
   const int size = 64;
-  const std::vector<Map> here = bake(surface, all_maps(size));
-  const std::vector<Map> there = bake(moved(surface, {0.5, 0.25}), all_maps(size));
+  MapOptions options = all_maps(size);
+  options.post.curl = curl;
+  const std::vector<Map> here = bake(surface, options);
+  const std::vector<Map> there = bake(moved(surface, {0.5, 0.25}), options);
   for (std::size_t m = 0; m < here.size(); ++m) {
     const MapInfo& info = map_info(here[m].header.kind);
     const auto channels = static_cast<std::size_t>(info.channels);
@@ -93,6 +95,12 @@ TEST(MapsOfATile, AreTheSameBitForBitWhereverItsBorderLies) {
 TEST(MapsOfATile, AreTheSameBitForBitWhereItsCracksAreRough) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     expect_no_border(tile_surface(rough_mud_tile(0.25, seed, 0.01)), seed);
+  }
+}
+
+TEST(MapsOfATile, AreTheSameBitForBitWhereTheyCurl) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    expect_no_border(tile_surface(mud_tile(0.25, seed)), seed, 2);
   }
 }
 

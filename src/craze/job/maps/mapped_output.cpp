@@ -97,7 +97,7 @@ SurfaceMesh surface_to_map(const Result& result, const SourceScene* scene, const
   surface.corner_normals = corner_normals(surface);
   const char* reason = surface.corner_uvs.empty() ? "has no UVs" : nullptr;
   if (!reason && !has_pictures(scene) &&
-      !uv_layout(map_surface(result), true, context).warnings.empty()) {
+      !uv_layout(map_surface(result, {}, context), true, context).warnings.empty()) {
     reason = "has UVs that overlap";
   }
   if (!reason) return surface;
@@ -177,7 +177,7 @@ MeshCounts write_mapped(const Result& result, const std::shared_ptr<const Source
   options.by_material = true;
   options.post = output.post;
   for (const std::string& warning :
-       bake_surface(map_surface(result, surface), options, maps, context)) {
+       bake_surface(map_surface(result, surface, options.post, context), options, maps, context)) {
     warn(warning);
   }
   write_file(output.path, format_with_pictures(*mapped.document, maps.made(), context),

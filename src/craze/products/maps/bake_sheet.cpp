@@ -68,6 +68,11 @@ class Band {
     return sides;
   }
 
+  /// At p in the plane of the texel's face.
+  GrooveMean groove_at(const Texel& texel, const Vec2& p, const Mat2& sides) const {
+    return scene_.grooves.mean(texel.face, p, sides, scene_.lift.at(texel.piece, p));
+  }
+
   /// Row r of the band with its margin: row first + r − 1 of the picture.
   void find_texels(int r) {
     int y = first_ + r - 1;
@@ -89,7 +94,7 @@ class Band {
       const Vec2 at = Vec2(owner.x + 0.5, owner.y + 0.5) + away;
       const Vec2 uv(at.x() / size_ + placed.offset.x(), 1 - at.y() / size_ + placed.offset.y());
       texel.p = scene_.faces.at(texel.face, uv);
-      grooves_[index(r, x)] = scene_.grooves.mean(texel.face, texel.p, texel_sides(texel.face));
+      grooves_[index(r, x)] = groove_at(texel, texel.p, texel_sides(texel.face));
     }
   }
 
@@ -102,7 +107,7 @@ class Band {
       const std::size_t i = index(r + dy, beside);
       if (scene_.islands[texels_[i].face] == scene_.islands[texel.face]) return grooves_[i].height;
     }
-    return scene_.grooves.mean(texel.face, texel.p + sides * Vec2(dx, dy), sides).height;
+    return groove_at(texel, texel.p + sides * Vec2(dx, dy), sides).height;
   }
 
   Heights heights_around(const Texel& texel, int r, int x, const Mat2& sides) const {

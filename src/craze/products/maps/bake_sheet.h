@@ -8,6 +8,7 @@
 #include "craze/maps.h"
 #include "craze/products/maps/groove_sampler.h"
 #include "craze/products/maps/map_faces.h"
+#include "craze/products/maps/map_lift.h"
 #include "craze/products/maps/map_surface.h"
 #include "craze/products/maps/uv_layout.h"
 
@@ -19,6 +20,7 @@ struct BakeScene {
   const MapFaces& faces;
   const GrooveSizes& sizes;
   const GrooveSampler& grooves;
+  const MapLift& lift;
   const std::vector<std::int32_t>& islands;   ///< #F: uv_islands.h
   const std::vector<double>& base_curvature;  ///< #V, mean; empty: not asked for
   const MapOptions& options;

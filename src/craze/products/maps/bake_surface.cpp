@@ -28,11 +28,27 @@ std::vector<double> mean_curvature(const SurfaceMesh& surface, const Context& co
   return mean;
 }
 
+/// What a mesh from a file does not know.
+void warn_of_unknown(const MapSurface& maps, const PostParameters& post,
+                     std::vector<std::string>& warnings) {
+  if (!maps.has_widths && post.gap > 0) {
+    warnings.emplace_back(
+        "how far the cracks open is not known (the mesh has no vertex attribute displacement): "
+        "post.gap is left out, cracks are hairlines; post.gap_width gives them one width");
+  }
+  if (!maps.has_times && post.late_width != 1) {
+    warnings.emplace_back(
+        "when the cracks opened is not known (the mesh has no vertex attribute crack_time): "
+        "post.late_width is left out");
+  }
+}
+
 /// What integers of each map range over.
 class Ranges {
  public:
-  Ranges(const MapSurface& maps, const GrooveSizes& sizes, double farthest,
-         const std::vector<double>& base_curvature) {
+  Ranges(const MapSurface& maps, const GrooveSizes& sizes, const MapLift& lift, double farthest,
+         const std::vector<double>& base_curvature)
+      : lowest_(lift.lowest()), highest_(lift.highest()) {
     for (const Vec3& p : maps.surface.positions) box_.extend(p);
     farthest_ = std::min(farthest, box_.diagonal().norm());
     double total = 0;
@@ -60,7 +76,7 @@ class Ranges {
     };
     switch (header.kind) {
       case MapKind::height:
-        return range(-deepest_, 0);
+        return range(lowest_ - deepest_, highest_);
       case MapKind::curvature:
         return range(-sharpest_, sharpest_);
       case MapKind::distance:
@@ -86,6 +102,7 @@ class Ranges {
 
  private:
   Eigen::AlignedBox3d box_;
+  double lowest_, highest_;  // of the surface beside the grooves
   double farthest_ = 0, widest_ = 0, deepest_ = 0, first_ = 0, last_ = 0, sharpest_ = 0;
   std::int32_t cracks_ = 0, fragments_ = 0;
 };
@@ -110,6 +127,7 @@ void check_map_options(const MapOptions& options) {
   }
   const auto is_length = [](double x) { return std::isfinite(x) && x >= 0; };
   if (!is_length(options.post.gap)) wrong("wrong gap", "post.gap", "must be finite, 0 or more");
+  if (!std::isfinite(options.post.curl)) wrong("wrong curl", "post.curl", "must be finite");
   if (!is_length(options.post.wall)) wrong("wrong wall", "post.wall", "must be finite, 0 or more");
 }
 
@@ -120,7 +138,8 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
     for (const MapInfo& info : map_table()) options.maps.push_back(info.kind);
   }
   context.report({"maps", 0});
-  const UvLayout layout = uv_layout(maps, options.by_material, context);
+  UvLayout layout = uv_layout(maps, options.by_material, context);
+  warn_of_unknown(maps, options.post, layout.warnings);
   const MapFaces faces(maps.surface);
   const GrooveSizes sizes = groove_sizes(maps, options.post);
   // A tile is flat, and one island without a border, wherever it was cut open.
@@ -135,8 +154,9 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
     curvature = maps.is_tile() ? std::vector<double>(maps.surface.positions.size(), 0)
                                : mean_curvature(maps.surface, context);
   }
-  const Ranges ranges(maps, sizes, grooves.farthest(), curvature);
-  const BakeScene scene{maps, faces, sizes, grooves, islands, curvature, options};
+  const MapLift lift(maps, faces, sizes, options.post.curl);
+  const Ranges ranges(maps, sizes, lift, grooves.farthest(), curvature);
+  const BakeScene scene{maps, faces, sizes, grooves, lift, islands, curvature, options};
   const auto of = static_cast<double>(layout.sheets.size());
   for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
     std::vector<MapHeader> headers;

@@ -1,5 +1,6 @@
 // The cracks of a mesh that comes from a file, recovered from its open edges.
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -84,13 +85,20 @@ class Openings {
   std::map<Place, std::vector<std::int32_t>> copies_;
 };
 
-/// Numbers the cracks by the lines between places where not two of them meet.
-void number_lines(std::vector<MapCrack>& cracks) {
-  std::map<Place, std::vector<std::int32_t>> at;
+/// Which cracks meet at each place.
+using Meetings = std::map<Place, std::vector<std::int32_t>>;
+
+Meetings meetings_of(const std::vector<MapCrack>& cracks) {
+  Meetings at;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     at[place_of(cracks[i].a)].push_back(static_cast<std::int32_t>(i));
     at[place_of(cracks[i].b)].push_back(static_cast<std::int32_t>(i));
   }
+  return at;
+}
+
+/// Numbers the cracks by the lines between places where not two of them meet.
+void number_lines(std::vector<MapCrack>& cracks, const Meetings& at) {
   std::vector<std::int32_t> line(cracks.size());
   std::iota(line.begin(), line.end(), 0);
   const auto root = [&](std::int32_t i) {
@@ -107,6 +115,40 @@ void number_lines(std::vector<MapCrack>& cracks) {
     const std::int32_t first = root(static_cast<std::int32_t>(i));
     cracks[i].number =
         number.emplace(first, static_cast<std::int32_t>(number.size())).first->second;
+  }
+}
+
+/// Whether lines of two or more cracks meet there: a vertex has the time of the first.
+bool is_junction(const Meetings& at, const Vec3& p) {
+  return at.at(place_of(p)).size() > 2;
+}
+
+/// A piece from junction to junction has the time of the rest of its line, where there is any.
+void time_between_junctions(std::vector<MapCrack>& cracks, const Meetings& at) {
+  std::map<std::int32_t, double> known;  // by line: the latest time of pieces that know theirs
+  const auto knows = [&](const MapCrack& c) {
+    return !is_junction(at, c.a) || !is_junction(at, c.b);
+  };
+  for (const MapCrack& crack : cracks) {
+    if (!knows(crack)) continue;
+    const auto [line, is_new] = known.emplace(crack.number, crack.time);
+    if (!is_new) line->second = std::max(line->second, crack.time);
+  }
+  for (MapCrack& crack : cracks) {
+    const auto line = known.find(crack.number);
+    if (!knows(crack) && line != known.end()) crack.time = line->second;
+    crack.times = {crack.time, crack.time};
+  }
+}
+
+/// A line of several events goes from one time to the next over a piece.
+void smooth_times(std::vector<MapCrack>& cracks, const Meetings& at) {
+  for (const auto& [place, meeting] : at) {
+    if (meeting.size() != 2) continue;
+    const double mean = (cracks[meeting[0]].time + cracks[meeting[1]].time) / 2;
+    for (const std::int32_t i : meeting) {
+      cracks[i].times[place_of(cracks[i].a) == place ? 0 : 1] = mean;
+    }
   }
 }
 
@@ -139,9 +181,33 @@ std::vector<std::int32_t> crack_sides_of(const SurfaceMesh& open, const Triangle
   return sides;
 }
 
+/// The surface with its cracks open but with no seam of its UVs.
+void cut_along_cracks(MapSurface& maps) {
+  TriangleMesh cut(maps.surface.positions, maps.surface.triangles);
+  for (MapCrack& crack : maps.cracks) {
+    // Welding may have moved its ends by a rounding.
+    double least = std::numeric_limits<double>::infinity();
+    std::int32_t side = -1;
+    for (std::int32_t h = 3 * crack.face; h < 3 * crack.face + 3; ++h) {
+      for (const std::int32_t from : {cut.from(h), cut.to(h)}) {
+        const std::int32_t to = cut.from(h) + cut.to(h) - from;
+        const double off = (cut.position(from) - crack.a).squaredNorm() +
+                           (cut.position(to) - crack.b).squaredNorm();
+        if (off >= least) continue;
+        least = off;
+        side = h;
+        crack.roots = {cut.root(from), cut.root(to)};
+      }
+    }
+    if (side >= 0 && !cut.is_open(side)) cut.cut(side, crack.number);
+  }
+  maps.cut = std::make_shared<const TriangleMesh>(std::move(cut));
+}
+
 }  // namespace
 
-MapSurface map_surface(const SurfaceMesh& cracked, const Context& context) {
+MapSurface map_surface(const SurfaceMesh& cracked, const PostParameters& post,
+                       const Context& context) {
   check_uvs(cracked);
   RepairReport report;
   SurfaceMesh open = repair(cracked, {-1}, report, context);
@@ -171,6 +237,7 @@ MapSurface map_surface(const SurfaceMesh& cracked, const Context& context) {
   const Attribute* time = attribute(open, "crack_time", 1);
   const Openings openings(mesh, displacement);
   maps.has_widths = displacement != nullptr;
+  maps.has_times = time != nullptr;
   for (const Seam& seam : pair_sides(mesh, sides)) {
     const std::int32_t a = mesh.from(seam.side), b = mesh.to(seam.side);
     const std::int32_t face = welded[seam.side / 3];
@@ -180,7 +247,12 @@ MapSurface map_surface(const SurfaceMesh& cracked, const Context& context) {
     maps.cracks.push_back(
         {mesh.position(a), mesh.position(b), openings.of(seam), opened, 0, face, {opened, opened}});
   }
-  number_lines(maps.cracks);
+  const Meetings meetings = meetings_of(maps.cracks);
+  number_lines(maps.cracks, meetings);
+  time_between_junctions(maps.cracks, meetings);
+  smooth_times(maps.cracks, meetings);
+  cut_along_cracks(maps);
+  if (post.curl != 0) refine_to_bend(maps, maps.surface, context);
   return maps;
 }
 

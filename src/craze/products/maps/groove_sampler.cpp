@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "craze/engine/width_by_age.h"
-#include "craze/mesh/bounding_diagonal.h"
 #include "craze/products/maps/groove.h"
 
 namespace craze {
@@ -24,23 +22,6 @@ constexpr std::int32_t lines_of_block = 16;
 constexpr double above_rounding = 1 + 1e-9;
 
 }  // namespace
-
-GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post) {
-  GrooveSizes sizes;
-  sizes.wall = post.wall;
-  const double diagonal =
-      maps.diagonal > 0 ? maps.diagonal : bounding_diagonal(maps.surface.positions);
-  const double line = hairline * diagonal / 2;
-  const bool known = post.gap > 0 && maps.has_widths;
-  const WidthByAge by_age = width_by_age(post.late_width, maps.cracks);
-  for (const MapCrack& crack : maps.cracks) {
-    std::array<double, 2> half{line, line};
-    if (known) half = {post.gap * crack.width[0] / 2, post.gap * crack.width[1] / 2};
-    for (std::size_t end = 0; end < 2; ++end) half[end] *= by_age.factor(crack.times[end]);
-    sizes.half_width.push_back(half);
-  }
-  return sizes;
-}
 
 GrooveSampler::GrooveSampler(const MapSurface& maps, const MapFaces& faces,
                              const std::vector<std::uint8_t>& at_border, const GrooveSizes& sizes,
@@ -123,7 +104,8 @@ NearestCrack GrooveSampler::nearest(std::int32_t face, const Vec2& p) const {
   return nearest;
 }
 
-GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& texel) const {
+GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& texel,
+                               double lift) const {
   const double size = texel.col(0).norm() + texel.col(1).norm();
   std::array<const Line*, most_near> near;
   std::array<double, most_near> above;  // the distance over the half width, of each
@@ -152,7 +134,9 @@ GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& tex
     }
   }
   GrooveMean sum;
+  sum.height = lift;
   if (count == 0) return sum;
+  sum.height = 0;
   sum.light = 0;
   for (int part = 0; part < parts * parts; ++part) {
     const Vec2 shift((part % parts + 0.5) / parts - 0.5, (part / parts + 0.5) / parts - 0.5);
@@ -171,7 +155,7 @@ GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& tex
       const double width = std::sqrt(extent.squaredNorm());
       if (width <= 0) continue;
       const double share = covered_share(there.distance, there.half_width, width);
-      const double depth = sizes_.depth(there.half_width);
+      const double depth = sizes_.depth(there.half_width) + std::max(lift, 0.0);
       mask = std::max(mask, share);
       height = std::min(height, -depth * mean_depth(there.distance, there.half_width, width));
       light =
@@ -182,7 +166,7 @@ GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& tex
     sum.light += light;
   }
   constexpr double all = parts * parts;
-  return {sum.mask / all, sum.height / all, sum.light / all};
+  return {sum.mask / all, lift + sum.height / all, sum.light / all};
 }
 
 }  // namespace craze

@@ -5,27 +5,11 @@
 #include <vector>
 
 #include "craze/context.h"
+#include "craze/products/maps/groove_sizes.h"
 #include "craze/products/maps/map_faces.h"
 #include "craze/products/maps/map_surface.h"
-#include "craze/recipe.h"
 
 namespace craze {
-
-/// How wide pictures draw cracks, of the diagonal of the surface's box (render/picture.cpp).
-inline constexpr double hairline = 0.0021;
-
-/// Width and depth of every crack's groove.
-struct GrooveSizes {
-  /// Per crack: half the width at its a and b, length: post.gap times the opening, or where there
-  /// is no gap, or no opening is known, that of a hairline; by post.late_width less of it.
-  std::vector<std::array<double, 2>> half_width;
-  double wall = 0;  ///< depth; 0: as deep as the groove is wide at each place
-
-  double depth(double half_width_there) const { return wall > 0 ? wall : 2 * half_width_there; }
-};
-
-/// A hairline has the width that pictures draw cracks with.
-GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post);
 
 /// The crack next to a point.
 struct NearestCrack {
@@ -55,8 +39,9 @@ class GrooveSampler {
   /// The crack next to p, the first of them where several are.
   NearestCrack nearest(std::int32_t face, const Vec2& p) const;
   /// Over the texel around p whose sides are the columns of `texel`, length. Exact for a straight
-  /// groove; at corners, tips and junctions 2 × 2 parts of the texel are.
-  GrooveMean mean(std::int32_t face, const Vec2& p, const Mat2& texel) const;
+  /// groove; at corners, tips and junctions 2 × 2 parts of the texel are. `lift`: of the rims
+  /// there; grooves go down from it to where they would be without, or from a lift below 0 as deep.
+  GrooveMean mean(std::int32_t face, const Vec2& p, const Mat2& texel, double lift) const;
   /// No point of the surface is farther from a crack; ∞ where a part of it has none.
   double farthest() const { return farthest_; }
 

@@ -51,20 +51,22 @@ class EdgeEnds {
 
 }  // namespace
 
-std::vector<MapCrack> map_cracks(const CrackNetwork& network) {
+std::vector<MapCrack> map_cracks(const CrackNetwork& network, const TriangleMesh& mesh) {
   std::vector<MapCrack> cracks;
   const EdgeEnds ends(network);
   for (std::size_t i = 0; i < network.edges.size(); ++i) {
     const CrackEdge& e = network.edges[i];
     const auto edge = static_cast<std::int32_t>(i);
     const EdgeEnds::End a = ends.at(edge, e.a), b = ends.at(edge, e.b);
-    cracks.push_back({network.nodes[e.a].position,
-                      network.nodes[e.b].position,
-                      {a.width, b.width},
-                      e.time,
-                      e.event,
-                      e.face,
-                      {a.time, b.time}});
+    cracks.push_back(
+        {network.nodes[e.a].position,
+         network.nodes[e.b].position,
+         {a.width, b.width},
+         e.time,
+         e.event,
+         e.face,
+         {a.time, b.time},
+         {mesh.root(network.nodes[e.a].vertex), mesh.root(network.nodes[e.b].vertex)}});
   }
   return cracks;
 }

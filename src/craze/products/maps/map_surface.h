@@ -3,10 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "craze/context.h"
 #include "craze/engine.h"
+#include "craze/mesh/triangle_mesh.h"
+#include "craze/recipe.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -19,6 +22,8 @@ struct MapCrack {
   std::int32_t number = 0;        ///< of the crack, from 0
   std::int32_t face = -1;         ///< of the surface; one that holds it
   std::array<double, 2> times{};  ///< at a and b, without a step along the crack
+  /// Vertices of MapSurface::cut at a and b: the first of each place (TriangleMesh::root).
+  std::array<std::int32_t, 2> roots{-1, -1};
 };
 
 /// A part of a face that no crack crosses.
@@ -36,25 +41,37 @@ struct MapSurface {
   std::vector<Triangle> joined;
   double diagonal = 0;  ///< what hairlines are measured by, length; 0: the box around the surface
   std::vector<MapPiece> pieces;
+  /// Its faces are the pieces, in their order, and its cracks are open. Null: not known.
+  std::shared_ptr<const TriangleMesh> cut;
   std::vector<MapCrack> cracks;
   bool has_widths = true;  ///< the cracks' widths are known
+  bool has_times = true;   ///< and when they opened
 
   bool is_tile() const { return !joined.empty(); }
   /// By which faces are neighbours.
   const std::vector<Triangle>& neighbours() const { return is_tile() ? joined : surface.triangles; }
 };
 
-/// Throws Error(request) where there are no UVs.
-MapSurface map_surface(const Result& result);
+/// `post`: where it curls, pieces are small enough to bend (bend_refinement.h). Throws
+/// Error(request) where there are no UVs, and Cancelled.
+MapSurface map_surface(const Result& result, const PostParameters& post, const Context& context);
 
 /// The same in other UVs: `uncut` is what the run cut its cracks into (CrackedSurface::surface),
 /// but for its UVs and normals.
-MapSurface map_surface(const Result& result, const SurfaceMesh& uncut);
+MapSurface map_surface(const Result& result, const SurfaceMesh& uncut, const PostParameters& post,
+                       const Context& context);
 
 /// Of a mesh whose shut cracks are open edges that lie on each other (distance/seams.h). Takes
 /// widths from the vertex attribute displacement, times from crack_time, and pieces from the face
 /// attribute fragment or, without it, from what hangs together. Cracks are numbered by the lines
 /// between junctions. Throws Error(request) where there are no cracks or no UVs, and Cancelled.
-MapSurface map_surface(const SurfaceMesh& cracked, const Context& context);
+MapSurface map_surface(const SurfaceMesh& cracked, const PostParameters& post,
+                       const Context& context);
+
+/// 2 × area / length of the cracks; 0 without any.
+double mean_crack_distance(const MapSurface& maps);
+
+/// Makes the pieces small enough to bend: of `whole`, whose faces are those of `cut` now, with UVs.
+void refine_to_bend(MapSurface& maps, const SurfaceMesh& whole, const Context& context);
 
 }  // namespace craze

@@ -30,12 +30,12 @@ void check_uvs(const SurfaceMesh& surface) {
 
 std::vector<std::string> bake_maps(const Result& result, const MapOptions& options, MapSink& sink,
                                    const Context& context) {
-  return bake_surface(map_surface(result), options, sink, context);
+  return bake_surface(map_surface(result, options.post, context), options, sink, context);
 }
 
 std::vector<std::string> bake_maps(const SurfaceMesh& cracked, const MapOptions& options,
                                    MapSink& sink, const Context& context) {
-  return bake_surface(map_surface(cracked, context), options, sink, context);
+  return bake_surface(map_surface(cracked, options.post, context), options, sink, context);
 }
 
 std::vector<Map> baked_maps(const Result& result, const MapOptions& options,

@@ -76,7 +76,8 @@ MapSurface tile_surface(const CrackedTile& tile) {
     }
     maps.pieces.push_back(piece);
   }
-  maps.cracks = map_cracks(tile.network);
+  maps.cut = {tile.rough ? std::shared_ptr<const void>(tile.rough) : tile.simulation, &cut};
+  maps.cracks = map_cracks(tile.network, cut);
   for (MapCrack& crack : maps.cracks) {
     const Vec2& first = maps.surface.corner_uvs[3 * static_cast<std::size_t>(crack.face)];
     const Vec2 a = TileGrid::nearest(squares.uv(crack.a), first);

@@ -18,7 +18,7 @@ class Bender {
       : mesh_(std::move(mesh)),
         distance_(std::move(crack_distance)),
         longest_(std::sqrt(8 * bend_tolerance) * length),
-        reach_(-elementary::log(bend_tolerance) * length) {}
+        reach_(bend_reach(length)) {}
 
   TriangleMesh run() {
     for (std::int32_t h = 0; h < 3 * mesh_.face_count(); ++h) offer(h);
@@ -77,6 +77,10 @@ class Bender {
 };
 
 }  // namespace
+
+double bend_reach(double length) {
+  return -elementary::log(bend_tolerance) * length;
+}
 
 std::shared_ptr<const TriangleMesh> refined_to_bend(const TriangleMesh& mesh,
                                                     std::vector<double> crack_distance,

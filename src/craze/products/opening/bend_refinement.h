@@ -12,6 +12,9 @@ namespace craze {
 /// lift that fades as exp(−x/ℓ) is drawn by straight lines over edges of length h to h²/8ℓ² of it.
 inline constexpr double bend_tolerance = 0.05;
 
+/// From the cracks: farther away such a lift is below bend_tolerance.
+double bend_reach(double length);
+
 /// The mesh with every edge near cracks short enough for a lift that fades over `length` (ℓ) to be
 /// drawn within bend_tolerance. Sides of cracks stay whole, and where one is longer than that, so
 /// may be the shorter edges beside it. crack_distance: #V, length; where the lift is below

@@ -14,6 +14,11 @@ namespace craze {
 std::vector<double> curl_lift(const TriangleMesh& mesh, const CrackSites& sites,
                               const std::vector<double>& edge_lift, double length);
 
+/// How far a lift reaches, by the mean distance between cracks: a third of it.
+inline double curl_length(double crack_distance) {
+  return crack_distance / 3;
+}
+
 /// A third of the mean distance between cracks, 2 × area / crack length; 0 without cracks.
 double natural_curl_length(const TriangleMesh& mesh, const CrackSites& sites);
 

@@ -11,8 +11,8 @@ namespace {
 
 /// Cotangent of the angle opposite to h.
 double cotangent(const TriangleMesh& mesh, std::int32_t h) {
-  const Vec3& apex = mesh.position(mesh.from(TriangleMesh::prev(h)));
-  const Vec3 a = mesh.position(mesh.from(h)) - apex, b = mesh.position(mesh.to(h)) - apex;
+  const std::int32_t apex = mesh.from(TriangleMesh::prev(h));
+  const Vec3 a = mesh.way(apex, mesh.from(h)), b = mesh.way(apex, mesh.to(h));
   const double twice_area = a.cross(b).norm();
   return twice_area > 0 ? a.dot(b) / twice_area : 0;
 }
