@@ -56,6 +56,62 @@ TEST_F(MapFiles, OfACrackedMeshAreThoseOfTheRun) {
   }
 }
 
+/// Mean difference of two grey maps of 64 × 64 texels, as a part of their range.
+double mean_difference(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const Image one = read_image_file(a), two = read_image_file(b);
+  double sum = 0;
+  for (int i = 0; i < 64 * 64; ++i) {
+    sum += std::abs(one.value(i % 64, i / 64, 0) - two.value(i % 64, i / 64, 0));
+  }
+  return sum / (64 * 64);
+}
+
+TEST_F(MapFiles, OfACrackedMeshKnowHowOldItsCracksAre) {
+  // Hairlines, which are as wide as they are old.
+  const auto width_map = [&](std::vector<std::string> arguments, const char* folder, bool late) {
+    for (const char* more : {folder, "--map", "width", "--map-size", "64", "--quiet"}) {
+      arguments.emplace_back(more);
+    }
+    if (late) {
+      arguments.emplace_back("--set");
+      arguments.emplace_back("post.late_width=0.2");
+    }
+    const CommandResult result = run(arguments);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    return file(folder) / "width.png";
+  };
+  width_map({"crack", "shape:plate?n=12", "--preset", "mud", "-o", "cut.ply", "--maps"}, "even",
+            false);
+  const auto of_run =
+      width_map({"crack", "shape:plate?n=12", "--preset", "mud", "--maps"}, "one", true);
+  const auto of_file = width_map({"bake", "cut.ply", "-o"}, "two", true);
+  const double apart = mean_difference(of_run, of_file);
+  EXPECT_LT(apart, 0.01);
+  EXPECT_GT(mean_difference(file("even/width.png"), of_file), 10 * apart);
+}
+
+TEST_F(MapFiles, OfACrackedMeshSayWhatTheFileDoesNotTell) {
+  ASSERT_EQ(run({"crack", "shape:plate?n=12", "--preset", "mud", "-o", "cut.obj", "--quiet",
+                 "--no-warnings"})
+                .code,
+            0);
+  const CommandResult result =
+      run({"bake", "cut.obj", "-o", "maps", "--map", "width", "--map-size", "64", "--gap", "0.1",
+           "--set", "post.late_width=0.2", "--quiet"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.err.find("post.gap is left out"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("post.late_width is left out"), std::string::npos) << result.err;
+  for (const char* setting : {"layer.spacing=1", "post.thickness=1", "post.late_width=2",
+                              "post.gap=-1", "post.curl=x", "no.key=1", "impact.0.radius=2"}) {
+    const CommandResult refused = run({"bake", "cut.obj", "-o", "no", "--set", setting});
+    EXPECT_EQ(refused.code, 2) << setting;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+  EXPECT_EQ(run({"bake", "cut.obj", "-o", "no", "--gap", "0.1", "--set", "post.gap_width=1"}).code,
+            2);
+}
+
 TEST_F(MapFiles, AreTheSameBytesOnAnyNumberOfThreads) {
   for (const char* threads : {"1", "3"}) {
     ASSERT_EQ(run({"crack", "shape:cup", "--preset", "mud", "--max-cracks", "30", "--maps", threads,
