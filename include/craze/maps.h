@@ -67,7 +67,8 @@ struct MapOptions {
       true;  ///< green of normal and direction grows with v (glTF, OpenGL); else it falls
   /// A set for each material even where their UVs lie apart, and no tiles, as glTF has it.
   bool by_material = false;
-  PostParameters post;  ///< gap and wall: how wide and deep the grooves are
+  /// How wide and deep the grooves are, how rims curl and where they are chipped.
+  PostParameters post;
 };
 
 /// One map of one texture set, or of one UDIM tile of it.

@@ -63,6 +63,11 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> positions, std::vector<Triangle> tr
   }
 }
 
+void TriangleMesh::be_own_source() {
+  std::iota(source_face_.begin(), source_face_.end(), 0);
+  anchor_.assign(anchor_.size(), -1);
+}
+
 double TriangleMesh::area(std::int32_t f) const {
   const Triangle& t = triangles_[f];
   return 0.5 * way(t[0], t[1]).cross(way(t[0], t[2])).norm();

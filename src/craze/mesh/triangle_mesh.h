@@ -98,6 +98,8 @@ class TriangleMesh {
 
   /// The input triangle that a face is part of.
   std::int32_t source_face(std::int32_t f) const { return source_face_[f]; }
+  /// From now on every face is its own source, and no vertex is anchored.
+  void be_own_source();
   /// The vertex that v was separated from, the first of its line; v itself otherwise. Copies have
   /// the same position.
   std::int32_t root(std::int32_t v) const { return root_[v]; }

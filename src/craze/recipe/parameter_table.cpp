@@ -355,6 +355,15 @@ std::vector<Parameter> make_table() {
            {.help = "distance between the points of a rough line, at most; 0: 1/16 of the usual "
                     "length of a crack, more where that makes over 262144 points",
             .unit = "length"})
+      .add("chipping", &PostParameters::chipping, share,
+           {.help = "share of the rims of open cracks that is chipped: shell-shaped bites out of "
+                    "the surface, more of them at junctions and along old cracks; 0: none"})
+      .add("chip_size", &PostParameters::chip_size, not_negative,
+           {.help =
+                "half the length of the largest chips along a rim, the smallest have a quarter "
+                "of it; 0: 1/8 of the mean distance between cracks. Never more than 1/3 of that, "
+                "nor than six widths of the crack",
+            .unit = "length"})
       .add("lines", &PostParameters::lines, any,
            {.help = "cracks that are shut, gap 0, in GLB: \"auto\": dark lines a hair above the "
                     "surface, so that every viewer shows them; \"none\": the surface alone",

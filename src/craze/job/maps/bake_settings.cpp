@@ -14,8 +14,9 @@ namespace craze {
 namespace {
 
 /// What grooves are made of besides the lines, which are as the file has them.
-constexpr std::array<std::string_view, 6> keys{"post.gap",        "post.gap_width", "post.wall",
-                                               "post.late_width", "post.curl",      "mesh.unit"};
+constexpr std::array<std::string_view, 8> keys{"post.gap",        "post.gap_width", "post.wall",
+                                               "post.late_width", "post.curl",      "post.chipping",
+                                               "post.chip_size",  "mesh.unit"};
 
 }  // namespace
 

@@ -70,7 +70,8 @@ class Band {
 
   /// At p in the plane of the texel's face.
   GrooveMean groove_at(const Texel& texel, const Vec2& p, const Mat2& sides) const {
-    return scene_.grooves.mean(texel.face, p, sides, scene_.lift.at(texel.piece, p));
+    return scene_.grooves.mean(texel.face, p, sides, scene_.lift.at(texel.piece, p),
+                               scene_.maps.pieces[texel.piece].fragment);
   }
 
   /// Row r of the band with its margin: row first + r − 1 of the picture.
@@ -173,12 +174,6 @@ class Band {
     return seen;
   }
 
-  double width(const NearestCrack& nearest) const {
-    if (nearest.crack < 0) return 0;
-    const auto& [a, b] = scene_.sizes.half_width[nearest.crack];
-    return 2 * (a + nearest.along * (b - a));
-  }
-
   void fill_row(int row) {
     const int r = row + 1;
     for (int x = 0; x < size_; ++x) {
@@ -214,7 +209,7 @@ class Band {
             put(std::min(nearest.distance, header.high[0]));
             break;
           case MapKind::width:
-            put(width(nearest));
+            put(scene_.grooves.width(texel.face, nearest));
             break;
           case MapKind::direction:
             put_vector(direction(texel, frame, nearest), out);

@@ -63,6 +63,12 @@ class Ranges {
       last_ = std::max(i > 0 ? last_ : crack.time, crack.time);
       cracks_ = std::max(cracks_, crack.number + 1);
     }
+    double bites = 0;
+    for (const Chip& chip : sizes.chips.chips) {
+      deepest_ = std::max(deepest_, chip.depth);
+      bites = std::max(bites, chip.inwards);
+    }
+    widest_ += 2 * bites;
     for (const MapPiece& piece : maps.pieces) fragments_ = std::max(fragments_, piece.fragment + 1);
     // A rim as round as the grooves are wide on average is white; base curvature fits in too.
     if (total > 0) sharpest_ = 2 * static_cast<double>(maps.cracks.size()) / total;
@@ -127,6 +133,12 @@ void check_map_options(const MapOptions& options) {
   }
   const auto is_length = [](double x) { return std::isfinite(x) && x >= 0; };
   if (!is_length(options.post.gap)) wrong("wrong gap", "post.gap", "must be finite, 0 or more");
+  if (!(options.post.chipping >= 0 && options.post.chipping <= 1)) {
+    wrong("wrong chipping", "post.chipping", "must be in [0, 1]");
+  }
+  if (!is_length(options.post.chip_size)) {
+    wrong("wrong size of chips", "post.chip_size", "must be finite, 0 or more");
+  }
   if (!std::isfinite(options.post.curl)) wrong("wrong curl", "post.curl", "must be finite");
   if (!is_length(options.post.wall)) wrong("wrong wall", "post.wall", "must be finite, 0 or more");
 }
@@ -142,6 +154,8 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
   warn_of_unknown(maps, options.post, layout.warnings);
   const MapFaces faces(maps.surface);
   const GrooveSizes sizes = groove_sizes(maps, options.post);
+  layout.warnings.insert(layout.warnings.end(), sizes.chips.warnings.begin(),
+                         sizes.chips.warnings.end());
   // A tile is flat, and one island without a border, wherever it was cut open.
   const std::size_t count = maps.surface.triangles.size();
   const std::vector<std::int32_t> islands =

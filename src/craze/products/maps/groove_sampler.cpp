@@ -21,6 +21,10 @@ constexpr std::int32_t lines_of_block = 16;
 /// Boxes are farther than the lines in them by roundings only, which this is above.
 constexpr double above_rounding = 1 + 1e-9;
 
+double extent_of(const Chips& chips, std::size_t crack) {
+  return chips.extent.empty() ? 0 : chips.extent[crack];
+}
+
 }  // namespace
 
 GrooveSampler::GrooveSampler(const MapSurface& maps, const MapFaces& faces,
@@ -36,7 +40,11 @@ GrooveSampler::GrooveSampler(const MapSurface& maps, const MapFaces& faces,
     limits.margin.push_back(at_border[f] ? std::min(border_margin * texel, most_at_border * mean)
                                          : std::min(inside_margin * texel, most_inside * mean));
   }
-  for (const auto& [a, b] : sizes.half_width) limits.reach.push_back(std::max(a, b));
+  for (std::size_t i = 0; i < sizes.half_width.size(); ++i) {
+    const auto& [a, b] = sizes.half_width[i];
+    limits.reach.push_back(std::max({a, b, extent_of(sizes.chips, i)}));
+  }
+  find_fragments(maps);
   SeenCracks seen = seen_cracks(maps, limits, context);
   for (const SeenCrack& s : seen.cracks) {
     const double squared = (s.b - s.a).squaredNorm();
@@ -56,12 +64,14 @@ void GrooveSampler::make_blocks(std::size_t faces) {
   first_block_.push_back(0);
   for (std::size_t f = 0; f < faces; ++f) {
     for (std::int32_t i = first_[f]; i < first_[f + 1]; i += lines_of_block) {
-      Block block{lines_[i].a, lines_[i].a, 0, i, std::min(i + lines_of_block, first_[f + 1])};
+      Block block{lines_[i].a, lines_[i].a, 0, 0, i, std::min(i + lines_of_block, first_[f + 1])};
       for (std::int32_t k = block.first; k < block.last; ++k) {
         const Line& line = lines_[k];
         block.low = block.low.cwiseMin(line.a).cwiseMin(line.a + line.along);
         block.high = block.high.cwiseMax(line.a).cwiseMax(line.a + line.along);
         block.widest = std::max({block.widest, line.half_width_a, line.half_width_b});
+        block.chipped =
+            std::max(block.chipped, extent_of(sizes_.chips, static_cast<std::size_t>(line.crack)));
       }
       blocks_.push_back(block);
     }
@@ -84,7 +94,7 @@ double GrooveSampler::squared_distance(const Line& line, const Vec2& p) {
 }
 
 NearestCrack GrooveSampler::nearest(std::int32_t face, const Vec2& p) const {
-  NearestCrack nearest{std::numeric_limits<double>::infinity(), -1, 0, Vec2::Zero()};
+  NearestCrack nearest{std::numeric_limits<double>::infinity(), -1, 0, Vec2::Zero(), Vec2::Zero()};
   double least = nearest.distance;
   const Line* line = nullptr;
   for (std::int32_t b = first_block_[face]; b < first_block_[face + 1]; ++b) {
@@ -100,12 +110,12 @@ NearestCrack GrooveSampler::nearest(std::int32_t face, const Vec2& p) const {
   }
   if (!line) return nearest;
   const Foot there = foot(*line, p);
-  nearest = {there.distance, line->crack, there.along, line->along};
+  nearest = {there.distance, line->crack, there.along, line->along, p - there.away};
   return nearest;
 }
 
-GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& texel,
-                               double lift) const {
+GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& texel, double lift,
+                               std::int32_t fragment) const {
   const double size = texel.col(0).norm() + texel.col(1).norm();
   std::array<const Line*, most_near> near;
   std::array<double, most_near> above;  // the distance over the half width, of each
@@ -133,9 +143,13 @@ GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& tex
       above[slot] = over;
     }
   }
+  std::vector<LaidChip> chips;
+  for_each_chip(face, p, size, [&](const LaidChip& chip) {
+    if (chip.fragment < 0 || chip.fragment == fragment) chips.push_back(chip);
+  });
   GrooveMean sum;
   sum.height = lift;
-  if (count == 0) return sum;
+  if (count == 0 && chips.empty()) return sum;
   sum.height = 0;
   sum.light = 0;
   for (int part = 0; part < parts * parts; ++part) {
@@ -161,12 +175,81 @@ GrooveMean GrooveSampler::mean(std::int32_t face, const Vec2& p, const Mat2& tex
       light =
           std::min(light, 1 - share * (1 - groove_light(there.distance, there.half_width, depth)));
     }
+    for (const LaidChip& laid : chips) {
+      const Vec2 at = laid.flat(q);
+      if (at.y() < 0) continue;
+      const Vec2 in_chip(at.x(), at.y() - laid.half_width);
+      const double inside = 1 - laid.chip->outline(in_chip);
+      const double ramp = size / (2 * parts) / std::min(laid.chip->reach, laid.chip->inwards);
+      const double share = std::clamp(0.5 + inside / ramp, 0.0, 1.0);
+      if (share <= 0) continue;
+      mask = std::max(mask, share);
+      height = std::min(height, -laid.chip->depth_at(in_chip));
+    }
     sum.mask += mask;
     sum.height += height;
     sum.light += light;
   }
   constexpr double all = parts * parts;
   return {sum.mask / all, lift + sum.height / all, sum.light / all};
+}
+
+Vec2 GrooveSampler::LaidChip::flat(const Vec2& p) const {
+  const Vec2 d = p - middle;
+  return {d.dot(x), d.dot(y)};
+}
+
+template <class Visit>
+void GrooveSampler::for_each_chip(std::int32_t face, const Vec2& p, double margin,
+                                  Visit&& visit) const {
+  const Chips& chips = sizes_.chips;
+  if (chips.first.empty()) return;
+  for (std::int32_t b = first_block_[face]; b < first_block_[face + 1]; ++b) {
+    const Block& block = blocks_[b];
+    const double far = block.chipped + margin;
+    if (block.chipped <= 0 || block.squared_distance(p) > far * far * above_rounding) continue;
+    for (std::int32_t i = block.first; i < block.last; ++i) {
+      const Line& line = lines_[i];
+      const double reach = extent_of(chips, static_cast<std::size_t>(line.crack)) + margin;
+      if (squared_distance(line, p) > reach * reach) continue;
+      for (std::int32_t k = chips.first[line.crack]; k < chips.first[line.crack + 1]; ++k) {
+        const Chip& chip = chips.chips[k];
+        const double length = std::sqrt(line.along.squaredNorm()), share = chip.along / length;
+        LaidChip laid{&chip, &line, line.a + share * line.along, line.along / length, {}, 0, -1};
+        laid.y = chip.left ? Vec2(-laid.x.y(), laid.x.x()) : Vec2(laid.x.y(), -laid.x.x());
+        laid.half_width = line.half_width_a + share * (line.half_width_b - line.half_width_a);
+        laid.fragment = fragments_[line.crack][chip.left ? 0 : 1];
+        const double of_chip = std::max(chip.reach, laid.half_width + chip.inwards) + margin;
+        if ((p - laid.middle).squaredNorm() <= of_chip * of_chip) visit(laid);
+      }
+    }
+  }
+}
+
+void GrooveSampler::find_fragments(const MapSurface& maps) {
+  fragments_.assign(maps.cracks.size(), {-1, -1});
+  if (sizes_.chips.first.empty() || !maps.cut) return;
+  const auto sides = sides_of_cracks(maps.cracks, *maps.cut);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::int32_t h = sides[i][k].halfedge;
+      if (h >= 0) fragments_[i][k] = maps.pieces[h / 3].fragment;
+    }
+  }
+}
+
+double GrooveSampler::width(std::int32_t face, const NearestCrack& nearest) const {
+  if (nearest.crack < 0) return 0;
+  const auto& [a, b] = sizes_.half_width[nearest.crack];
+  const double half = a + nearest.along * (b - a);
+  if (sizes_.chips.first.empty()) return 2 * half;
+  std::array<double, 2> chipped{0, 0};  // right and left
+  for_each_chip(face, nearest.foot, 0, [&](const LaidChip& laid) {
+    const bool left = laid.y.x() * nearest.direction.y() < laid.y.y() * nearest.direction.x();
+    const double in = laid.chip->inwards_at(laid.flat(nearest.foot).x());
+    chipped[left] = std::max(chipped[left], in);
+  });
+  return 2 * half + chipped[0] + chipped[1];
 }
 
 }  // namespace craze

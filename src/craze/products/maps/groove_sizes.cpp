@@ -54,6 +54,10 @@ GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post) {
           {line * by_age.factor(crack.times[0]), line * by_age.factor(crack.times[1])});
     }
   }
+  if (post.chipping > 0) {
+    sizes.chips = place_chips(maps.cracks, sizes.half_width,
+                              chip_options(post, mean_crack_distance(maps), maps.seed));
+  }
   return sizes;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "craze/products/chips/chips.h"
 #include "craze/products/maps/map_surface.h"
 #include "craze/recipe.h"
 
@@ -19,6 +20,7 @@ struct GrooveSizes {
   /// hairline; by post.late_width less of it.
   std::vector<std::array<double, 2>> half_width;
   double wall = 0;  ///< depth; 0: as deep as the groove is wide at each place
+  Chips chips;      ///< bites out of their rims
 
   double depth(double half_width_there) const { return wall > 0 ? wall : 2 * half_width_there; }
 };

@@ -32,6 +32,7 @@ MapSurface map_surface(const Result& result, const SurfaceMesh& uncut, const Pos
   }
   maps.cracks = map_cracks(state.network, cut);
   maps.cut = {result.shared_state(), &cut};
+  maps.seed = result.report().recipe.simulation.seed;
   if (post.curl != 0 && state.asset) refine_to_bend(maps, with_uvs, context);
   return maps;
 }

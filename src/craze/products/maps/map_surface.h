@@ -46,6 +46,7 @@ struct MapSurface {
   std::vector<MapCrack> cracks;
   bool has_widths = true;  ///< the cracks' widths are known
   bool has_times = true;   ///< and when they opened
+  std::uint64_t seed = 1;  ///< of what is random about rims
 
   bool is_tile() const { return !joined.empty(); }
   /// By which faces are neighbours.

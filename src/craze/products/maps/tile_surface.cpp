@@ -77,6 +77,7 @@ MapSurface tile_surface(const CrackedTile& tile) {
     maps.pieces.push_back(piece);
   }
   maps.cut = {tile.rough ? std::shared_ptr<const void>(tile.rough) : tile.simulation, &cut};
+  maps.seed = tile.recipe.simulation.seed;
   maps.cracks = map_cracks(tile.network, cut);
   for (MapCrack& crack : maps.cracks) {
     const Vec2& first = maps.surface.corner_uvs[3 * static_cast<std::size_t>(crack.face)];

@@ -11,6 +11,9 @@
 #include "craze/error.h"
 #include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/transfer_attributes.h"
+#include "craze/products/chips/chipped_mesh.h"
+#include "craze/products/maps/groove_sizes.h"
+#include "craze/products/maps/map_cracks.h"
 #include "craze/products/opening/aged_displacement.h"
 #include "craze/products/opening/bend_refinement.h"
 #include "craze/products/opening/curl.h"
@@ -54,6 +57,21 @@ std::vector<Vec3> outwards(const CrackedSurface& state, const TriangleMesh* refi
   return as_vectors(cut.vertex_attributes.front());
 }
 
+/// The mesh with chips in its rims, whose faces are parts of those of the cut mesh.
+ChippedMesh chipped(const CrackedSurface& state, const TriangleMesh* refined,
+                    const PostParameters& post, std::uint64_t seed,
+                    std::vector<std::string>& warnings, const Context& context) {
+  TriangleMesh mesh = refined ? *refined : state.mesh();
+  if (!refined && !state.asset) mesh.be_own_source();
+  const std::vector<MapCrack> cracks = map_cracks(state.network, state.mesh());
+  const double length = total_length(state.network);
+  const double spacing = length > 0 ? 2 * mesh.total_area() / length : 0;
+  const Chips chips = place_chips(cracks, half_widths(cracks, post.gap, post.late_width),
+                                  chip_options(post, spacing, seed));
+  warnings.insert(warnings.end(), chips.warnings.begin(), chips.warnings.end());
+  return chipped_mesh(std::move(mesh), cracks, chips, context);
+}
+
 OpenedMesh unopened(const SurfaceMesh& cut) {
   OpenedMesh opened;
   opened.mesh.positions = cut.positions;
@@ -75,6 +93,20 @@ void drop_walls(const TriangleMesh& mesh, OpenedMesh& opened) {
   opened.mesh.face_materials.resize(faces);
   opened.face_of.resize(faces);
   opened.beside.resize(faces);
+}
+
+/// Faces of chips are flat: broken, not worn.
+void flatten_chips(const std::vector<Vec3>& positions, const std::vector<double>& depth,
+                   SurfaceMesh& cut) {
+  if (depth.empty()) return;
+  for (std::size_t f = 0; f < cut.triangles.size(); ++f) {
+    const auto& [a, b, c] = cut.triangles[f];
+    if (!(std::max({depth[a], depth[b], depth[c]}) > 0)) continue;
+    const Vec3 normal = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (normal.squaredNorm() > 0) cut.corner_normals[3 * f + k] = normal.stableNormalized();
+    }
+  }
 }
 
 std::vector<std::string> opening_warnings(const OpenedMesh& opened, const TriangleMesh& mesh) {
@@ -110,6 +142,11 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   }
   OpenedSurface surface;
   surface.times = std::move(times);
+  if (post.gap == 0 && post.thickness == 0 && post.chipping > 0) {
+    surface.warnings.emplace_back(
+        "the cracks are shut and have no rims to chip (post.chipping): maps show chips; for a mesh "
+        "give post.gap, post.gap_width or post.thickness");
+  }
   if (post.gap == 0 && post.wall == 0 && post.thickness == 0) {
     surface.opened = unopened(cut);
     surface.mesh = std::move(cut);
@@ -121,6 +158,13 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
     const double length = natural_curl_length(state.mesh(), surface.times.sites);
     surface.refined = refined_to_bend(
         state.mesh(), find_attribute(cut.vertex_attributes, "crack_distance")->values, length);
+  }
+  OpeningOptions options;
+  if (post.chipping > 0 && (post.gap > 0 || post.thickness > 0)) {
+    ChippedMesh made = chipped(state, surface.refined.get(), post,
+                               result.report().recipe.simulation.seed, surface.warnings, context);
+    surface.refined = std::move(made.mesh);
+    options.chip_depth = std::move(made.depth);
   }
   const TriangleMesh& mesh = surface.base(result);
   if (surface.refined) {
@@ -134,7 +178,6 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
     displacement = aged_displacement(mesh, surface.times.sites, displacement, state.crack_times(),
                                      width_by_age(post.late_width, state.network.edges));
   }
-  OpeningOptions options;
   options.gap = post.gap;
   options.wall = post.wall;
   if (post.thickness > 0) {
@@ -146,7 +189,9 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   }
   options.curl = post.curl;
   surface.opened = open_cracks(mesh, displacement, options, context);
-  surface.warnings = opening_warnings(surface.opened, mesh);
+  for (std::string& warning : opening_warnings(surface.opened, mesh)) {
+    surface.warnings.push_back(std::move(warning));
+  }
   if (post.thickness > 0) {
     drop_walls(mesh, surface.opened);
     const std::vector<std::string> warnings =
@@ -157,9 +202,10 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   context.check();
   context.report({"open", 1});
   surface.shut = post.gap == 0;
-  surface.curled = post.curl != 0 && !surface.shut;
+  surface.curled = (post.curl != 0 || post.chipping > 0) && !surface.shut;
   if (surface.curled && !cut.corner_normals.empty()) {
     cut.corner_normals = turned_normals(cut, surface.opened.mesh.positions);
+    flatten_chips(surface.opened.mesh.positions, options.chip_depth, cut);
   }
   surface.mesh = opened_attributes(cut, mesh, surface.opened);
   return surface;

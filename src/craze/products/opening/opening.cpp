@@ -27,6 +27,8 @@ void check(const TriangleMesh& mesh, const std::vector<Vec3>& displacement,
   require(is_length(options.gap), "gap", "must be finite and not negative");
   require(is_length(options.wall), "wall", "must be finite and not negative");
   require(std::isfinite(options.curl), "curl", "must be finite");
+  require(options.chip_depth.empty() || options.chip_depth.size() == displacement.size(),
+          "chip_depth", "there must be one per vertex, or none");
   require(is_length(options.curl_length), "curl_length", "must be finite and not negative");
 }
 
@@ -55,6 +57,13 @@ void add_curl(const TriangleMesh& mesh, const CrackSites& sites, const std::vect
   for (std::size_t v = 0; v < shift.size(); ++v) shift[v] += lift[v] * normals[v];
 }
 
+/// #V: how far chips move the surface.
+std::vector<Vec3> chip_shifts(const std::vector<Vec3>& normals, const std::vector<double>& depth) {
+  std::vector<Vec3> shift;
+  for (std::size_t v = 0; v < depth.size(); ++v) shift.push_back(-depth[v] * normals[v]);
+  return shift;
+}
+
 void add_walls(const SideWalls& walls, OpenedMesh& opened) {
   SurfaceMesh& mesh = opened.mesh;
   mesh.triangles.insert(mesh.triangles.end(), walls.triangles.begin(), walls.triangles.end());
@@ -75,6 +84,9 @@ OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displa
   if (options.curl != 0) add_curl(mesh, sites, normals, options, shift);
   if (!options.keep_border) shift = needles_moved_as_one(mesh, std::move(shift));
 
+  std::vector<Vec3> chipped = chip_shifts(normals, options.chip_depth);
+  for (std::size_t v = 0; v < chipped.size(); ++v) shift[v] += chipped[v];
+
   SideWalls walls;
   if (options.wall > 0) {
     walls = side_walls(mesh, sites, normals, options.wall, options.border_wall);
@@ -89,6 +101,8 @@ OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displa
   opened.folded_faces = limit.folded;
   opened.crossings = limit.crossings;
   opened.mesh.positions = motion.positions(limit.shares);
+  for (std::size_t v = 0; v < chipped.size(); ++v) chipped[v] *= limit.shares.move[v];
+  opened.chipped = std::move(chipped);
   opened.mesh.triangles = mesh.triangles();
   opened.mesh.material_names = {"crack_wall"};
   opened.mesh.face_materials.assign(mesh.triangles().size(), -1);

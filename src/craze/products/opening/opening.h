@@ -18,6 +18,7 @@ struct OpeningOptions {
   double curl_length = 0;    ///< how far the lift reaches inwards; 0: by the spacing of the cracks
   bool border_wall = true;   ///< walls along the border of the input too: a sheet becomes a slab
   bool keep_border = false;  ///< border vertices that are on no crack stay where they are
+  std::vector<double> chip_depth = {};  ///< #V, length: how deep chips are there; empty: none
 };
 
 /// How an opened mesh whose fragments are closed solids is put together (solids/solids.h): outer
@@ -37,6 +38,7 @@ struct OpenedMesh {
   std::vector<std::int32_t> vertex_of;  ///< #V: the simulation vertex
   std::vector<std::int32_t> face_of;    ///< #F: the simulation face, −1 for walls
   std::vector<std::int32_t> beside;     ///< #F: that face, or the one that a wall hangs from
+  std::vector<Vec3> chipped;            ///< #V of the simulation mesh: moved by chips; empty: none
   std::optional<SolidParts> solid;      ///< none: a surface
   /// Where the surface would have passed through itself it was opened less.
   std::int32_t limited_vertices = 0;  ///< of the simulation mesh

@@ -6,12 +6,18 @@
 namespace craze {
 
 std::vector<Vec3> SolidShape::positions(const std::vector<double>& depth) const {
-  std::vector<Vec3> positions = opened;
+  constexpr double of_depth = 0.5;
+  std::vector<Vec3> positions = opened, whole = opened;
+  for (std::size_t v = 0; v < chipped.size(); ++v) {
+    const double by = chipped[v].norm(), most = of_depth * depth[v];
+    whole[v] -= chipped[v];
+    if (by > most) positions[v] = whole[v] + most / by * chipped[v];
+  }
   for (std::size_t i = 0; i < topology.bottoms.size(); ++i) {
     const SolidBottom& b = topology.bottoms[i];
     const bool is_core = static_cast<std::int32_t>(i) >= topology.core_bottom;
     const std::vector<Vec3>& shut = mesh.positions();
-    const std::vector<Vec3>& from = is_core ? shut : opened;
+    const std::vector<Vec3>& from = is_core ? shut : whole;
     Vec3 top = from[b.from] + b.share * (from[b.to] - from[b.from]);
     if (!is_core && wedge > 0) {
       top += std::min(wedge * depth[b.vertex], 1.0) *

@@ -23,6 +23,9 @@ struct SolidShape {
   /// lean as much where a piece is thin; 1/length.
   double wedge;
   const SolidTopology& topology;
+  /// #V, or none: how far chips moved the outer surface, which they do no farther than half of the
+  /// depth, and not the inner one.
+  const std::vector<Vec3>& chipped;
 
   /// Of the mesh, then of the bottoms. `depth` (#V): how thick, the same on a site.
   std::vector<Vec3> positions(const std::vector<double>& depth) const;

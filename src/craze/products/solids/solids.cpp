@@ -22,10 +22,12 @@ constexpr int most_closings = 8;
 /// Takes cracks back to where they were shut, there and less and less around.
 class CrackShutter {
  public:
-  CrackShutter(const TriangleMesh& mesh, const CrackSites& sites, std::vector<Vec3> opened)
+  CrackShutter(const TriangleMesh& mesh, const CrackSites& sites, std::vector<Vec3> opened,
+               std::vector<Vec3> chipped)
       : mesh_(mesh),
         sites_(sites),
         opened_(std::move(opened)),
+        chipped_(std::move(chipped)),
         on_site_(sites.vertex.size()),
         share_(opened_.size(), 1) {
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -35,7 +37,9 @@ class CrackShutter {
   }
 
   /// `where` (#V); sets `positions` (#V).
-  void shut(const std::vector<std::uint8_t>& where, std::vector<Vec3>& positions) {
+  /// Likewise `chipped` (#V, or none).
+  void shut(const std::vector<std::uint8_t>& where, std::vector<Vec3>& positions,
+            std::vector<Vec3>& chipped) {
     constexpr double taper = 3;  // in farthest moves: vertices keep their order along a crack
     for (std::size_t v = 0; v < share_.size(); ++v) {
       if (where[v]) share_[v] = 0;
@@ -45,6 +49,7 @@ class CrackShutter {
       const Vec3& at = mesh_.positions()[v];
       positions[v] = share_[v] < 1 ? Vec3(at + share_[v] * (opened_[v] - at)) : opened_[v];
     }
+    for (std::size_t v = 0; v < chipped.size(); ++v) chipped[v] = share_[v] * chipped_[v];
   }
 
   std::int64_t shut_vertices() const {
@@ -54,7 +59,7 @@ class CrackShutter {
  private:
   const TriangleMesh& mesh_;
   const CrackSites& sites_;
-  std::vector<Vec3> opened_;
+  std::vector<Vec3> opened_, chipped_;
   std::vector<std::vector<std::int32_t>> on_site_;
   std::vector<double> share_;  // #V, of the way from shut to open
   double farthest_ = 0;
@@ -117,13 +122,19 @@ std::vector<std::string> make_solid(const TriangleMesh& mesh, const CrackSites& 
   // Beyond the object's own size more thickness shows nothing more.
   const double thickness = std::min(options.thickness, bounding_diagonal(mesh.positions()));
   std::vector<double> clearance = largest_moves(mesh, sites, opened.mesh.positions);
-  const SolidShape shape{
-      mesh,    sites, shells, opened.mesh.positions, outwards, clearance, options.wedge / thickness,
-      topology};
+  const SolidShape shape{mesh,
+                         sites,
+                         shells,
+                         opened.mesh.positions,
+                         outwards,
+                         clearance,
+                         options.wedge / thickness,
+                         topology,
+                         opened.chipped};
   SolidDepth limit = limit_depth(shape, thickness, context);
-  CrackShutter shutter(mesh, sites, opened.mesh.positions);
+  CrackShutter shutter(mesh, sites, opened.mesh.positions, opened.chipped);
   for (int round = 0; limit.crossings > 0 && round < most_closings; ++round) {
-    shutter.shut(limit.stuck, opened.mesh.positions);
+    shutter.shut(limit.stuck, opened.mesh.positions, opened.chipped);
     clearance = largest_moves(mesh, sites, opened.mesh.positions);
     limit = limit_depth(shape, thickness, context);
   }
