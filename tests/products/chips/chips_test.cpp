@@ -185,6 +185,29 @@ TEST(Chips, OfSolidsLeaveThemClosedAndApart) {
   }
 }
 
+TEST(Chips, ComeWithTheGrowthOfTheirCracks) {
+  const Result result = test::cracked_shape("plate?n=12", "mud", 0.25);
+  const Opening opening(result, chipped_post(0.5), {});
+  const GrowthClip clip(opening);
+  const SurfaceMesh mesh = opening.mesh();
+  for (const double time : {0.0, 0.5, 1.0}) {
+    const std::vector<Vec3> at = clip.positions_at(time);
+    ASSERT_EQ(at.size(), mesh.positions.size());
+    double apart = 0, deepest = 0;
+    for (std::size_t v = 0; v < at.size(); ++v) {
+      ASSERT_TRUE(at[v].allFinite());
+      apart = std::max(apart, (at[v] - mesh.positions[v]).norm());
+      deepest = std::max(deepest, -at[v].z());
+    }
+    if (time == 1) {
+      EXPECT_LT(apart, 1e-9);
+    } else {
+      EXPECT_GT(apart, 1e-3);
+    }
+    EXPECT_LE(deepest, 0.02 + 1e-9);  // the wall's
+  }
+}
+
 TEST(Chips, OfShutCracksAreSaidToBeInMapsAlone) {
   const Result result = test::cracked_shape("plate?n=20&jitter=0.3", "mud", 0.2);
   PostParameters post;

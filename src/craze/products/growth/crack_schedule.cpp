@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace craze {
 
@@ -81,6 +82,29 @@ std::vector<double> run_cracks(std::vector<Edge>& edges, std::size_t sites) {
   return arrival;
 }
 
+/// Sites where the network has no node, since the sides were split after it was made, open with
+/// the first of those beside them.
+void fill_between(const TriangleMesh& mesh, const CrackSites& sites, std::vector<double>& arrival) {
+  for (bool again = true; again;) {
+    again = false;
+    std::vector<double> next = arrival;
+    for (std::size_t i = 0; i < sites.sides.size(); ++i) {
+      std::int32_t before = sites.site_of[mesh.from(sites.sides[i])];
+      const auto pass = [&](std::int32_t site) {
+        for (const auto& [to, from] : {std::pair{site, before}, std::pair{before, site}}) {
+          if (arrival[to] != never || !(arrival[from] < next[to])) continue;
+          next[to] = arrival[from];
+          again = true;
+        }
+        before = site;
+      };
+      for (std::int32_t k = sites.first[i]; k < sites.first[i + 1]; ++k) pass(sites.inner[k]);
+      pass(sites.site_of[mesh.to(sites.sides[i])]);
+    }
+    arrival = std::move(next);
+  }
+}
+
 }  // namespace
 
 double CrackSchedule::openness(double arrival, double time) {
@@ -93,6 +117,7 @@ CrackSchedule crack_schedule(const TriangleMesh& mesh, const CrackSites& sites,
   std::vector<Edge> edges = edges_between_sites(sites, network);
   CrackSchedule schedule;
   schedule.sites = run_cracks(edges, sites.vertex.size());
+  fill_between(mesh, sites, schedule.sites);
 
   using Ends = std::array<std::int32_t, 2>;
   std::map<Ends, std::array<double, 2>> times;
