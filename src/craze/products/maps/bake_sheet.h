@@ -7,8 +7,8 @@
 #include "craze/context.h"
 #include "craze/maps.h"
 #include "craze/products/maps/groove_sampler.h"
+#include "craze/products/maps/lift/map_lift.h"
 #include "craze/products/maps/map_faces.h"
-#include "craze/products/maps/map_lift.h"
 #include "craze/products/maps/map_surface.h"
 #include "craze/products/maps/uv_layout.h"
 

@@ -1,4 +1,4 @@
-#include "craze/products/maps/map_lift.h"
+#include "craze/products/maps/lift/map_lift.h"
 
 #include <algorithm>
 
