@@ -198,6 +198,53 @@ TEST(Picture, ZoomShowsTheTargetInTheMiddleAndLarger) {
   EXPECT_LT(brightness(image, 50, row), 0.6 * brightness(image, 50, 50));
 }
 
+TEST(Picture, WhatIsOutOfFocusIsBlurred) {
+  CrackedPlate plate;
+  const CrackLines lines = plate.lines();
+  // Of the crack beside the plate's own brightness.
+  const auto contrast = [&](double aperture, const std::optional<Vec3>& focus) {
+    plate.options.view.aperture = aperture;
+    plate.options.view.focus = focus;
+    const Image image = render_picture(surface(plate.mesh), &lines, plate.options, {});
+    return brightness(image, 50, 50) / brightness(image, 50, 30);
+  };
+  const double sharp = contrast(0, {});
+  EXPECT_NEAR(contrast(0.1, {}), sharp, 0.05) << "in the middle";
+  EXPECT_NEAR(contrast(0.1, Vec3(0.2, 0.3, 0)), sharp, 0.05) << "on the plate";
+  EXPECT_GT(contrast(0.1, Vec3(0.5, 0.5, 1)), sharp + 0.2) << "above it";
+  EXPECT_GT(contrast(0.1, Vec3(0.5, 0.5, -100)), sharp + 0.1) << "far behind it";
+}
+
+TEST(Picture, WhatIsNotFiniteIsRefused) {
+  const SurfaceMesh plate = surface(test::plate(2, 0));
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               inf = std::numeric_limits<double>::infinity();
+  int number = 0;
+  const auto expect_refused = [&](auto change) {
+    PictureOptions options = small("plaster");
+    change(options);
+    EXPECT_THROW(render_picture(plate, nullptr, options, {}), Error) << number;
+    ++number;
+  };
+  for (const double wrong : {nan, inf, -inf}) {
+    expect_refused([&](PictureOptions& o) { o.view.azimuth = wrong; });
+    expect_refused([&](PictureOptions& o) { o.view.elevation = wrong; });
+    expect_refused([&](PictureOptions& o) { o.view.zoom = wrong; });
+    expect_refused([&](PictureOptions& o) { o.view.margin = wrong; });
+    expect_refused([&](PictureOptions& o) { o.view.field_of_view = wrong; });
+    expect_refused([&](PictureOptions& o) { o.view.aperture = wrong; });
+    expect_refused([&](PictureOptions& o) { o.view.target = Vec3(0, wrong, 0); });
+    expect_refused([&](PictureOptions& o) { o.view.focus = Vec3(0, wrong, 0); });
+    expect_refused([&](PictureOptions& o) { o.light.azimuth = wrong; });
+    expect_refused([&](PictureOptions& o) { o.light.elevation = wrong; });
+    expect_refused([&](PictureOptions& o) { o.environment.turn = wrong; });
+    expect_refused([&](PictureOptions& o) { o.exposure = static_cast<float>(wrong); });
+    expect_refused([&](PictureOptions& o) { o.line_width = wrong; });
+  }
+  expect_refused([](PictureOptions& o) { o.view.target = Vec3(1e308, 0, 0); });
+  expect_refused([](PictureOptions& o) { o.view.aperture = -0.1; });
+}
+
 TEST(Picture, TheLampStandsWhereItIsAskedTo) {
   PictureOptions options = small("plaster");
   options.view.elevation = 0;

@@ -44,6 +44,44 @@ double diagonal(const SurfaceMesh& mesh, const PictureOptions& options) {
   throw Error(ErrorKind::request, "cannot draw a picture", where, why);
 }
 
+bool is_finite(const std::optional<double>& number) {
+  return !number || std::isfinite(*number);
+}
+
+bool is_finite(const std::optional<Vec3>& point) {
+  return !point || point->allFinite();
+}
+
+void check(const View& view) {
+  if (!(view.zoom > 0) || !(view.field_of_view > 0) || !(view.field_of_view < 180)) {
+    refuse("view", "the zoom must be above 0, the field of view between 0 and 180 degrees");
+  }
+  if (!is_finite(view.azimuth) || !is_finite(view.elevation) || !is_finite(view.target) ||
+      !is_finite(view.focus) || !std::isfinite(view.zoom) || !std::isfinite(view.margin)) {
+    refuse("view", "angles, points and the zoom must be finite");
+  }
+  if (!(view.aperture >= 0 && view.aperture <= 1)) {
+    refuse("view", "the aperture must be in [0, 1]");
+  }
+}
+
+/// `camera` in render units.
+void check(const Camera& camera) {
+  // In single precision rays from farther away miss what they should meet.
+  constexpr double farthest = 1e4;
+  if (!(camera.eye.norm() < farthest)) refuse("view", "the camera is too far from the object");
+}
+
+void check_light(const PictureOptions& options) {
+  if (!is_finite(options.light.azimuth) || !is_finite(options.light.elevation) ||
+      !std::isfinite(options.environment.turn)) {
+    refuse("light", "angles must be finite");
+  }
+  if (!(options.exposure > 0) || !std::isfinite(options.exposure)) {
+    refuse("light", "the exposure must be above 0, and finite");
+  }
+}
+
 void check(const SurfaceMesh& mesh, const CrackLines* lines, const PictureOptions& options) {
   const auto size_is_good = [](int n) { return n >= 1 && n <= 16384; };
   if (!size_is_good(options.width) || !size_is_good(options.height)) {
@@ -53,9 +91,10 @@ void check(const SurfaceMesh& mesh, const CrackLines* lines, const PictureOption
   if (options.samples < 1 || options.samples > 4096) {
     refuse("samples " + std::to_string(options.samples), "must be 1 to 4096");
   }
-  if (!(options.view.zoom > 0) || !(options.view.field_of_view > 0) ||
-      !(options.view.field_of_view < 180)) {
-    refuse("view", "the zoom must be above 0, the field of view between 0 and 180 degrees");
+  check(options.view);
+  check_light(options);
+  if (!(options.line_width >= 0) || !std::isfinite(options.line_width)) {
+    refuse("lines", "their width must be at least 0, and finite");
   }
   if (mesh.triangles.empty()) refuse("mesh", "it has no triangles");
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -154,6 +193,7 @@ Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
   context.report({.phase = "picture", .fraction = 0});
   const Framed framed = framed_picture(mesh, options);
   const auto& [camera, centre, scale] = framed.taken;
+  check(camera);
 
   TracedModel model;
   model.positions.reserve(mesh.positions.size());
