@@ -74,6 +74,11 @@ TEST(MaterialLooks, FilesAreNamedFromTheOutput) {
   const auto seen =
       looks_from({look}, (folder / "in/a.gltf").string(), (folder / "out/b.usda").string());
   EXPECT_EQ(seen[0].base_picture.file, "../in/maps/a.png");
+  look.base_picture.file = "my%20maps/a%.png";
+  look.normal_picture.file = "https://somewhere/a%20b.png";
+  const auto encoded = looks_from({look}, "in.gltf", "no_such_file.usda");
+  EXPECT_EQ(encoded[0].base_picture.file, "my maps/a%.png");
+  EXPECT_EQ(encoded[0].normal_picture.file, look.normal_picture.file);
 }
 
 }  // namespace

@@ -122,6 +122,22 @@ TEST(GltfLooks, WhatIsSaidOfLightComesAsTheFormatHasIt) {
   }
 }
 
+TEST(GltfLooks, NumbersBeyondTheirBoundsAreAtThem) {
+  Json json = textured({{"bufferView", 1}});
+  Json& material = json["materials"][0];
+  material["pbrMetallicRoughness"] = {{"metallicFactor", -1}, {"roughnessFactor", 99}};
+  material["normalTexture"] = {{"index", 0}, {"scale", 1e39}};
+  material["alphaCutoff"] = -3;
+  material["emissiveFactor"] = {1e38, 1, 0};
+  material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", 1e30}};
+  const MaterialLook look = look_of(json);
+  EXPECT_EQ(look.metallic, 0);
+  EXPECT_EQ(look.roughness, 1);
+  EXPECT_EQ(look.alpha_cutoff, 0);
+  EXPECT_EQ(look.normal_strength, 1e6f);
+  EXPECT_EQ(look.emission, (Color{1e6f, 1e6f, 0, 1}));
+}
+
 TEST(GltfLooks, TexturesInTheFileComeAsTheirBytesOthersByName) {
   const MaterialLook in_view = look_of(textured({{"bufferView", 1}, {"mimeType", "image/png"}}));
   ASSERT_TRUE(in_view.base_picture.bytes);

@@ -1,4 +1,5 @@
 #include "craze/io/usd/usd.h"
+#include "craze/io/usd/usd_text.h"
 
 #include <gtest/gtest.h>
 
@@ -221,6 +222,29 @@ TEST(Usda, PicturesInMemoryAreWrittenBesideTheFile) {
   EXPECT_EQ(material.at("Normal").values.at("inputs:file"), "@rich_2.jpg@");
   format_usda(rich(), options);
   EXPECT_EQ(said.size(), 1u) << "in memory, there is no beside";
+}
+
+TEST(Usda, PicturesInMemoryTakeNoFilesPlace) {
+  const TemporaryFolder folder;
+  std::vector<MaterialLook> looks(3);
+  looks[0].base_picture.file = "rich_1.png";
+  looks[0].normal_picture.bytes = std::make_shared<const std::string>("\x89PNG\r\n\x1a\n mine");
+  std::ofstream(folder / "rich_1.png") << "the input's own";
+  std::filesystem::create_directory(folder / "rich_2.png");
+  MeshFileOptions options;
+  options.looks = &looks;
+  for (int run = 0; run < 2; ++run) {
+    write_mesh(folder / "rich.usda", rich(), options);
+    EXPECT_EQ(read_text(folder / "rich_1.png"), "the input's own");
+    EXPECT_EQ(read_text(folder / "rich_3.png"), *looks[0].normal_picture.bytes);
+    EXPECT_FALSE(std::filesystem::exists(folder / "rich_4.png"));
+  }
+}
+
+TEST(Usda, PathsMayHaveAtSigns) {
+  EXPECT_EQ(usd_asset("a b.png"), "@a b.png@");
+  EXPECT_EQ(usd_asset("a@2.png"), "@@@a@2.png@@@");
+  EXPECT_EQ(usd_asset("a@@@b\n.png"), "@@@a\\@@@b.png@@@");
 }
 
 TEST(Usda, NamesAreUnique) {

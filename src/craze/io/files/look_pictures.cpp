@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
+#include "craze/io/files/read_file.h"
 #include "craze/io/image/picture_type.h"
 
 namespace craze {
@@ -15,14 +17,26 @@ std::string extension_of(const std::string& bytes) {
   return type == "image/jpeg" ? ".jpg" : "." + type.substr(type.find('/') + 1);
 }
 
+bool is_other_file(const std::filesystem::path& path, const std::string& bytes) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) return false;
+  try {
+    return !std::filesystem::is_regular_file(path, ignored) || read_file(path) != bytes;
+  } catch (const Error&) {
+    return true;
+  }
+}
+
 }  // namespace
 
 std::string LookPictures::name_of(const LookPicture& picture) {
   if (!picture.bytes) return picture.file;
   const auto [found, is_new] = names_.try_emplace(picture.bytes.get());
   if (is_new) {
-    found->second = fmt::format("{}_{}{}", output_.stem().string(), files_.size() + 1,
-                                extension_of(*picture.bytes));
+    const std::string extension = extension_of(*picture.bytes);
+    do {
+      found->second = fmt::format("{}_{}{}", output_.stem().string(), ++number_, extension);
+    } while (is_other_file(output_.parent_path() / found->second, *picture.bytes));
     files_.emplace_back(output_.parent_path() / found->second, picture.bytes);
   }
   return found->second;

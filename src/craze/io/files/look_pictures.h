@@ -14,7 +14,8 @@
 namespace craze {
 
 /// Names them NAME_1.png, NAME_2.jpg …, NAME being the output's without its extension, in the order
-/// in which they are asked for.
+/// in which they are asked for. Numbers whose file exists with other bytes are left out: it may be
+/// the input's own.
 class LookPictures {
  public:
   explicit LookPictures(std::filesystem::path output) : output_(std::move(output)) {}
@@ -28,6 +29,7 @@ class LookPictures {
   std::filesystem::path output_;
   std::map<const std::string*, std::string> names_;
   std::vector<std::pair<std::filesystem::path, std::shared_ptr<const std::string>>> files_;
+  int number_ = 0;  // of the last name
 };
 
 /// The looks, their pictures all files.

@@ -20,22 +20,6 @@ int hex_digit(char c) {
   return -1;
 }
 
-/// Replaces %XX; a % without two hexadecimal digits stays.
-std::string decode_percent(const std::string& uri) {
-  std::string text;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool escaped = uri[i] == '%' && i + 2 < uri.size() && hex_digit(uri[i + 1]) >= 0 &&
-                         hex_digit(uri[i + 2]) >= 0;
-    if (escaped) {
-      text += static_cast<char>(16 * hex_digit(uri[i + 1]) + hex_digit(uri[i + 2]));
-      i += 2;
-    } else {
-      text += uri[i];
-    }
-  }
-  return text;
-}
-
 bool has_parent_step(const fs::path& path) {
   for (const fs::path& part : path) {
     if (part == "..") return true;
@@ -55,6 +39,21 @@ bool is_inside(const fs::path& path, const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string decode_percent(const std::string& uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool escaped = uri[i] == '%' && i + 2 < uri.size() && hex_digit(uri[i + 1]) >= 0 &&
+                         hex_digit(uri[i + 2]) >= 0;
+    if (escaped) {
+      text += static_cast<char>(16 * hex_digit(uri[i + 1]) + hex_digit(uri[i + 2]));
+      i += 2;
+    } else {
+      text += uri[i];
+    }
+  }
+  return text;
+}
 
 FileLoader load_from_folder(const fs::path& folder, const Context& context) {
   return [folder, &context](const std::string& uri) {

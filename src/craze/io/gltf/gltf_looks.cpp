@@ -19,10 +19,17 @@ const Json* object_in(const Json& object, const char* key) {
   return found != object.end() && found->is_object() ? &*found : nullptr;
 }
 
-float number_or(const Json& object, const char* key, float fallback) {
+/// Within the bounds that the format or its extensions have, or that keep sense.
+float number_or(const Json& object, const char* key, float fallback, float low = 0,
+                float high = 1) {
   const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<float>() : fallback;
+  if (found == object.end() || !found->is_number()) return fallback;
+  return static_cast<float>(
+      std::clamp(found->get<double>(), static_cast<double>(low), static_cast<double>(high)));
 }
+
+/// No slope, and no light, is more.
+constexpr float most = 1e6f;
 
 class Looks {
  public:
@@ -59,7 +66,7 @@ class Looks {
     look.alpha_cutoff = number_or(material, "alphaCutoff", look.alpha_cutoff);
     const Json* clear = json_.extension(material, "KHR_materials_transmission");
     if (!clear) return;
-    look.transmission = std::clamp(number_or(*clear, "transmissionFactor", 0), 0.0f, 1.0f);
+    look.transmission = number_or(*clear, "transmissionFactor", 0);
     look.transmission_picture = picture_at(*clear, "transmissionTexture");
     // A texture that cannot be read could have said that nothing is.
     if (clear->contains("transmissionTexture") && !look.transmission_picture) look.transmission = 0;
@@ -69,7 +76,7 @@ class Looks {
     look.normal_picture = picture_at(material, "normalTexture");
     look.occlusion_picture = picture_at(material, "occlusionTexture");
     if (const Json* normal = object_in(material, "normalTexture")) {
-      look.normal_strength = number_or(*normal, "scale", 1);
+      look.normal_strength = number_or(*normal, "scale", 1, -most, most);
     }
     if (const Json* occlusion = object_in(material, "occlusionTexture")) {
       look.occlusion_strength = number_or(*occlusion, "strength", 1);
@@ -79,10 +86,12 @@ class Looks {
   void add_emission(MaterialLook& look, const Json& material) {
     look.emission_picture = picture_at(material, "emissiveTexture");
     const Json* strong = json_.extension(material, "KHR_materials_emissive_strength");
-    const float strength = strong ? number_or(*strong, "emissiveStrength", 1) : 1;
+    const float strength = strong ? number_or(*strong, "emissiveStrength", 1, 0, most) : 1;
     double factor[3];
     if (!json_.numbers(material, "emissiveFactor", factor, 3)) return;
-    for (std::size_t k = 0; k < 3; ++k) look.emission[k] = strength * static_cast<float>(factor[k]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      look.emission[k] = strength * static_cast<float>(std::clamp(factor[k], 0.0, 1.0));
+    }
   }
 
   /// The picture that `material` names as `key`; none where it reads other UVs than the first.

@@ -49,11 +49,13 @@ std::string usd_string(std::string_view text) {
 }
 
 std::string usd_asset(std::string_view path) {
-  std::string asset = "@";
-  for (const char c : path) {
-    if (c != '@' && static_cast<unsigned char>(c) >= 0x20) asset += c;
+  const std::string around = path.find('@') == std::string_view::npos ? "@" : "@@@";
+  std::string asset = around;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path.substr(i, 3) == "@@@") asset += '\\';
+    if (static_cast<unsigned char>(path[i]) >= 0x20) asset += path[i];
   }
-  return asset + '@';
+  return asset + around;
 }
 
 }  // namespace craze

@@ -22,7 +22,7 @@ class UsdNames {
 /// In double quotes, on one line.
 std::string usd_string(std::string_view text);
 
-/// A path between @ signs; none of @ is left in it.
+/// A path between @ signs, three of them where it has one itself; no control characters.
 std::string usd_asset(std::string_view path);
 
 /// "[a, b, …]": `append(out, i)` writes element i.
