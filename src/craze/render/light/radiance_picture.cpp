@@ -16,7 +16,7 @@ namespace craze::render {
 namespace {
 
 /// Pixels of a picture, at most.
-constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+constexpr std::int64_t most_pixels = std::int64_t{1} << 27;
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
@@ -29,6 +29,7 @@ class Reader {
     image.channels = 3;
     read_header(image);
     std::vector<float> values;
+    values.reserve(static_cast<std::size_t>(3) * image.width * image.height);
     std::vector<Rgbe> row(static_cast<std::size_t>(image.width));
     for (std::int32_t y = 0; y < image.height; ++y) {
       read_row(row);
@@ -50,8 +51,9 @@ class Reader {
   std::string_view line() {
     const std::size_t end = bytes_.find('\n', at_);
     if (end == std::string_view::npos) fail("its header has no end");
-    const std::string_view text = bytes_.substr(at_, end - at_);
+    std::string_view text = bytes_.substr(at_, end - at_);
     at_ = end + 1;
+    if (text.ends_with('\r')) text.remove_suffix(1);
     return text;
   }
 
