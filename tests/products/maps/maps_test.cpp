@@ -134,6 +134,31 @@ TEST(Maps, OfAPlateWithoutCracksAreFlat) {
   }
 }
 
+TEST(Maps, CracksAreAtMostAsWideAsTheyAreApart) {
+  const MapSurface plate = plate_with(7, known_cracks());
+  double length = 0;
+  for (const MapCrack& crack : plate.cracks) length += (crack.b - crack.a).norm();
+  for (const double gap : {1e3, 1e300}) {
+    MapOptions options = options_of(32, {MapKind::width});
+    options.post.gap = gap;
+    std::vector<Map> made;
+    MapsInMemory sink(made);
+    const auto said = bake_surface(plate, options, sink, {});
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find("post.gap_width asks for more"), std::string::npos) << said[0];
+    const auto& widths = made.at(0).values;
+    EXPECT_NEAR(*std::max_element(widths.begin(), widths.end()), 2 / length, 1e-6) << gap;
+  }
+}
+
+TEST(Maps, WithoutCracksTheySaySo) {
+  std::vector<Map> made;
+  MapsInMemory sink(made);
+  const auto said = bake_surface(plate_with(3, {}), options_of(8, {MapKind::mask}), sink, {});
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("no cracks that lie shut"), std::string::npos);
+}
+
 TEST(Maps, IdsAreNeverMixed) {
   MapSurface plate = plate_with(9, known_cracks());
   for (MapPiece& piece : plate.pieces) piece.fragment = piece.face % 5 == 0 ? 7 : 70;

@@ -152,10 +152,12 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
   context.report({"maps", 0});
   UvLayout layout = uv_layout(maps, options.by_material, context);
   warn_of_unknown(maps, options.post, layout.warnings);
+  if (maps.cracks.empty()) {
+    layout.warnings.emplace_back("there are no cracks that lie shut: the maps show none");
+  }
   const MapFaces faces(maps.surface);
   const GrooveSizes sizes = groove_sizes(maps, options.post);
-  layout.warnings.insert(layout.warnings.end(), sizes.chips.warnings.begin(),
-                         sizes.chips.warnings.end());
+  layout.warnings.insert(layout.warnings.end(), sizes.warnings.begin(), sizes.warnings.end());
   // A tile is flat, and one island without a border, wherever it was cut open.
   const std::size_t count = maps.surface.triangles.size();
   const std::vector<std::int32_t> islands =

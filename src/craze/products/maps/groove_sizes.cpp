@@ -1,5 +1,7 @@
 #include "craze/products/maps/groove_sizes.h"
 
+#include <fmt/format.h>
+
 #include "craze/engine/width_by_age.h"
 #include "craze/mesh/bounding_diagonal.h"
 
@@ -18,6 +20,23 @@ double gap_of(const MapSurface& maps, const WidthByAge& by_age, double gap_width
     }
   }
   return opening > 0 ? gap_width * (length / opening) : 0;
+}
+
+/// No groove is wider than cracks are apart: nothing would be left between them.
+void limit_widths(GrooveSizes& sizes, double distance) {
+  if (!(distance > 0)) return;
+  bool is_limited = false;
+  for (std::array<double, 2>& half : sizes.half_width) {
+    for (double& h : half) {
+      is_limited = is_limited || !(h <= distance / 2);
+      if (!(h <= distance / 2)) h = distance / 2;
+    }
+  }
+  if (!is_limited) return;
+  sizes.warnings.push_back(fmt::format(
+      "cracks are at most as wide in maps as they are apart on average, {:.3g}: post.gap or "
+      "post.gap_width asks for more",
+      distance));
 }
 
 }  // namespace
@@ -54,9 +73,13 @@ GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post) {
           {line * by_age.factor(crack.times[0]), line * by_age.factor(crack.times[1])});
     }
   }
+  const double distance = mean_crack_distance(maps);
+  limit_widths(sizes, distance);
   if (post.chipping > 0) {
-    sizes.chips = place_chips(maps.cracks, sizes.half_width,
-                              chip_options(post, mean_crack_distance(maps), maps.seed));
+    sizes.chips =
+        place_chips(maps.cracks, sizes.half_width, chip_options(post, distance, maps.seed));
+    sizes.warnings.insert(sizes.warnings.end(), sizes.chips.warnings.begin(),
+                          sizes.chips.warnings.end());
   }
   return sizes;
 }

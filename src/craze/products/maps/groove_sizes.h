@@ -21,6 +21,8 @@ struct GrooveSizes {
   std::vector<std::array<double, 2>> half_width;
   double wall = 0;  ///< depth; 0: as deep as the groove is wide at each place
   Chips chips;      ///< bites out of their rims
+  /// What could not be as asked, one sentence each.
+  std::vector<std::string> warnings;
 
   double depth(double half_width_there) const { return wall > 0 ? wall : 2 * half_width_there; }
 };

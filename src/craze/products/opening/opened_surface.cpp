@@ -142,10 +142,10 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   }
   OpenedSurface surface;
   surface.times = std::move(times);
-  if (post.gap == 0 && post.thickness == 0 && post.chipping > 0) {
+  if (post.gap == 0 && post.chipping > 0) {
     surface.warnings.emplace_back(
         "the cracks are shut and have no rims to chip (post.chipping): maps show chips; for a mesh "
-        "give post.gap, post.gap_width or post.thickness");
+        "give post.gap or post.gap_width");
   }
   if (post.gap == 0 && post.wall == 0 && post.thickness == 0) {
     surface.opened = unopened(cut);
@@ -160,7 +160,7 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
         state.mesh(), find_attribute(cut.vertex_attributes, "crack_distance")->values, length);
   }
   OpeningOptions options;
-  if (post.chipping > 0 && (post.gap > 0 || post.thickness > 0)) {
+  if (post.chipping > 0 && post.gap > 0) {
     ChippedMesh made = chipped(state, surface.refined.get(), post,
                                result.report().recipe.simulation.seed, surface.warnings, context);
     surface.refined = std::move(made.mesh);
