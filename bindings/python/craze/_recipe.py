@@ -8,7 +8,7 @@ from typing import Any, Mapping
 
 import numpy as np
 
-from ._library import Error, Handle, call, path_bytes, shown, text_bytes
+from ._library import Error, Handle, call, path_bytes, shown, text_bytes, whole
 
 _SIZE_LIMIT = 1 << 20  # bytes of a recipe; the C interface refuses more
 
@@ -61,3 +61,15 @@ def set_recipe(job: Handle, recipe: Any) -> None:
 def set_key(job: Handle, key: str, value: Any) -> None:
     """One key, on top of what is set."""
     call("craze_job_set", job.pointer, text_bytes(key, "key"), value_text(key, value))
+
+
+def set_job(
+    job: Handle, recipe: Any, settings: Mapping[str, Any], seed: int | None, threads: int
+) -> None:
+    """What a run takes besides its mesh, settings after the recipe and the seed last."""
+    set_recipe(job, recipe)
+    for key, value in settings.items():
+        set_key(job, key, value)
+    if seed is not None:
+        set_key(job, "seed", whole(seed, "seed", 0, 2**53))
+    call("craze_job_set_threads", job.pointer, whole(threads, "threads", 0, 1024))

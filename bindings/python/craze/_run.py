@@ -15,8 +15,8 @@ from ._library import text_of, whole
 from ._lines import Lines
 from ._maps import arrays, green_up, name_list
 from ._mesh import Mesh
-from ._recipe import set_key, set_recipe, value_text
-from ._watch import ProgressCallback, run, watched
+from ._recipe import set_job, value_text
+from ._watch import ProgressCallback, check_progress, run, watched
 
 
 class Result:
@@ -250,20 +250,14 @@ def crack(
     Raises Error where the mesh or recipe cannot be used. Ctrl-C stops it. Other threads run
     meanwhile.
     """
-    if progress is not None and not callable(progress):
-        raise Error(f"wrong progress ({shown(progress)}): must be a function")
+    check_progress(progress)
     given = _mesh_of(mesh)
     job = Handle(call("craze_job_new"), "craze_job_free")
     source = given._as_handle()
     call("craze_job_set_mesh", job.pointer, source.pointer)
     for name, picture in given.textures.items():
         _set_texture(job, name, picture)
-    set_recipe(job, recipe)
-    for key, value in settings.items():
-        set_key(job, key, value)
-    if seed is not None:
-        set_key(job, "seed", whole(seed, "seed", 0, 2**53))
-    call("craze_job_set_threads", job.pointer, whole(threads, "threads", 0, 1024))
+    set_job(job, recipe, settings, seed, threads)
     if max_cracks is not None:
         most = whole(max_cracks, "max_cracks", 0, 2**63 - 1)
         call("craze_job_set_max_cracks", job.pointer, most)

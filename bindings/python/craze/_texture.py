@@ -11,8 +11,8 @@ import numpy.typing as npt
 
 from ._library import Error, Handle, call, listed, shown, text_bytes, whole
 from ._maps import arrays, green_up, name_list
-from ._recipe import set_key, set_recipe
-from ._watch import ProgressCallback, run
+from ._recipe import set_job
+from ._watch import ProgressCallback, check_progress, run
 
 
 def texture(
@@ -38,15 +38,9 @@ def texture(
     Raises Error where the recipe asks for what a tile has not. What else could not be done as asked
     is a UserWarning.
     """
-    if progress is not None and not callable(progress):
-        raise Error(f"wrong progress ({shown(progress)}): must be a function")
+    check_progress(progress)
     job = Handle(call("craze_job_new"), "craze_job_free")
-    set_recipe(job, recipe)
-    for key, value in settings.items():
-        set_key(job, key, value)
-    if seed is not None:
-        set_key(job, "seed", whole(seed, "seed", 0, 2**53))
-    call("craze_job_set_threads", job.pointer, whole(threads, "threads", 0, 1024))
+    set_job(job, recipe, settings, seed, threads)
     handle: Handle = run(
         job,
         progress,

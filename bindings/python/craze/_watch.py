@@ -7,13 +7,19 @@ import threading
 from collections import deque
 from typing import Any, Callable, Deque, Optional, Tuple
 
-from ._library import PROGRESS, Handle, call
+from ._library import PROGRESS, Error, Handle, call, shown
 
 ProgressCallback = Callable[[str, Optional[float], int, float], object]
 """progress(phase, fraction, cracks, load): fraction is 0 … 1, or None where no end is known."""
 
 _INTERVAL = 0.05  # seconds between looks at what has been reached
 _PATIENCE = 0.1  # seconds that a call has to stop before it is left to stop by itself
+
+
+def check_progress(progress: Any) -> None:
+    """Raises Error unless it is None or can be called: before any work."""
+    if progress is not None and not callable(progress):
+        raise Error(f"wrong progress ({shown(progress)}): must be a function")
 
 
 class _Call:

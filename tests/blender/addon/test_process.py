@@ -37,6 +37,15 @@ def work(thing, recipe, **settings):
     return Work(process.engine(), runs.crack(process.engine(), order, "made"))
 
 
+def cancel_within_a_second(test, going):
+    begin = time.monotonic()
+    going.cancel()
+    while going.request.state == "running":
+        time.sleep(0.005)
+    test.assertLess(time.monotonic() - begin, 1.0)
+    test.assertEqual(going.request.state, "cancelled")
+
+
 def until_it_cracks(case, going):
     end = time.monotonic() + 300
     while going.request is None or going.request.progress[2] == 0:
@@ -117,12 +126,7 @@ class Process(unittest.TestCase):
         going = Work(engine, steps)
         while not going.advance() and going.request.progress[0] == "start":
             time.sleep(0.005)
-        begin = time.monotonic()
-        going.cancel()
-        while going.request.state == "running":
-            time.sleep(0.005)
-        self.assertLess(time.monotonic() - begin, 1.0)
-        self.assertEqual(going.request.state, "cancelled")
+        cancel_within_a_second(self, going)
         self.assertEqual(bpy.ops.craze.curves(), {"FINISHED"})
         self.assertEqual(engine._process.pid, pid)
 
@@ -134,12 +138,7 @@ class Process(unittest.TestCase):
         steps = runs.texture(engine, "mud", False, {"layer.spacing": 0.02}, 4096, 1.0, folder)
         going = Work(engine, steps)
         until_it_cracks(self, going)
-        begin = time.monotonic()
-        going.cancel()
-        while going.request.state == "running":
-            time.sleep(0.005)
-        self.assertLess(time.monotonic() - begin, 1.0)
-        self.assertEqual(going.request.state, "cancelled")
+        cancel_within_a_second(self, going)
         self.assertEqual(os.listdir(engine.folder), [])
         self.assertEqual(bpy.ops.craze.curves(), {"FINISHED"})
         self.assertEqual(engine._process.pid, pid)
