@@ -10,6 +10,8 @@ Only where the lines run differs.
 
 import argparse
 import importlib.util
+import os
+from multiprocessing import Pool
 from pathlib import Path
 
 import numpy as np
@@ -157,15 +159,12 @@ def package():
     return module
 
 
-def main():
-    parse = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parse.add_argument("sets", type=Path, help="what make_sets.py made")
-    parse.add_argument("arms", type=Path, help="where the arms go, a folder of pictures each")
-    given = parse.parse_args()
+def pairs_of(sets):
+    """Samples with and without their cracks: (name, seed, sample, clean sample)."""
     samples = package().samples
-    for number, cracks in enumerate(sorted(given.sets.glob("*_cracks"))):
+    for number, cracks in enumerate(sorted(sets.glob("*_cracks"))):
         world = cracks.name.removesuffix("_cracks")
-        cleans = samples(given.sets / f"{world}_clean")
+        cleans = samples(sets / f"{world}_clean")
         clean = next(cleans, None)
         for sample in samples(cracks):
             index = sample["json"]["index"]
@@ -173,8 +172,29 @@ def main():
                 clean = next(cleans, None)
             if not clean or clean["json"]["index"] != index or sample["json"]["attempt"] > 0:
                 continue  # another attempt has another surface
-            for arm, (picture, mask) in versions(sample, clean, [number, index]).items():
-                write_pair(given.arms / arm, f"{world}_{index:04}", picture, mask)
+            yield f"{world}_{index:04}", [number, index], sample, clean
+
+
+def write(pair, arms):
+    name, seed, sample, clean = pair
+    for arm, (picture, mask) in versions(sample, clean, seed).items():
+        write_pair(arms / arm, name, picture, mask)
+
+
+def main():
+    parse = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parse.add_argument("sets", type=Path, help="what make_sets.py made")
+    parse.add_argument("arms", type=Path, help="where the arms go, a folder of pictures each")
+    parse.add_argument("--workers", type=int, default=os.cpu_count(), help="pictures side by side")
+    given = parse.parse_args()
+    with Pool(given.workers) as pool:
+        waiting = []
+        for pair in pairs_of(given.sets):
+            waiting.append(pool.apply_async(write, (pair, given.arms)))
+            while len(waiting) > 4 * given.workers:  # samples that are held
+                waiting.pop(0).get()
+        for one in waiting:
+            one.get()
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ import argparse
 import json
 import subprocess
 import tomllib
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 PLANS = Path(__file__).resolve().parents[2] / "recipes" / "datasets"
@@ -50,7 +51,8 @@ def main():
     parse.add_argument("folder", type=Path)
     parse.add_argument("--craze", required=True, help="the command")
     parse.add_argument("--samples", type=int, default=60, help="of each plan")
-    parse.add_argument("--threads", type=int, default=0, help="0: all")
+    parse.add_argument("--threads", type=int, default=0, help="of a command; 0: all")
+    parse.add_argument("--jobs", type=int, default=1, help="commands side by side")
     given = parse.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
     plans = []
@@ -60,14 +62,20 @@ def main():
             plans.append(given.folder / f"{world}_{kind}.toml")
             plans[-1].write_text(benchmark_plan(plan, kind == "clean"))
     rounds = -(-given.samples // SHARD)
-    for one in range(rounds):  # a run that is stopped has something of each
-        for file in plans:
-            subprocess.run(
-                [given.craze, "dataset", file, "-o", file.with_suffix("")]
-                + ["--samples", str(given.samples), "--shard", f"{one}/{rounds}"]
-                + ["--threads", str(given.threads), "--quiet"],
-                check=True,
-            )
+
+    def make(one):
+        """A shard of a plan."""
+        part, file = one
+        subprocess.run(
+            [given.craze, "dataset", file, "-o", file.with_suffix("")]
+            + ["--samples", str(given.samples), "--shard", f"{part}/{rounds}"]
+            + ["--threads", str(given.threads), "--quiet"],
+            check=True,
+        )
+
+    # by rounds, so that a run that is stopped has something of each
+    with ThreadPoolExecutor(given.jobs) as pool:
+        list(pool.map(make, [(part, file) for part in range(rounds) for file in plans]))
 
 
 if __name__ == "__main__":

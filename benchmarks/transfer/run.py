@@ -1,4 +1,5 @@
-"""Trains every arm with every seed and judges it on the test pictures; writes after each training.
+"""Trains every arm with every seed and judges it on the test pictures; writes after each training,
+and goes on where an earlier run with the same settings was stopped.
 
     python3 run.py --data DATA --out results.json
 
@@ -87,6 +88,26 @@ def one(task):
     }
 
 
+def setting_of(given):
+    """What the measures depend on."""
+    kept = ("steps", "batch", "channels", "size", "test", "device")
+    setting = {name: getattr(given, name) for name in kept}
+    setting["torch"] = torch.__version__
+    if given.device == "cuda":
+        setting["device"] = torch.cuda.get_device_name()
+    return setting
+
+
+def done(path, setting):
+    """Runs that a file has from before; ends where they were made with other settings."""
+    if not path.exists():
+        return []
+    before = json.loads(path.read_text())
+    if before["setting"] != setting:
+        raise SystemExit(f"{path} was made with other settings: {before['setting']}")
+    return before["runs"]
+
+
 def arguments():
     parse = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parse.add_argument("--data", required=True)
@@ -116,11 +137,10 @@ def main():
     chosen = {name: sets for name, sets in arms.items() if not given.arms or name in given.arms}
     seeds = range(1, given.seeds + 1)
     tasks = [(arm, sets, seed) for seed in seeds for arm, sets in chosen.items()]
-    setting = {k: v for k, v in vars(given).items() if k not in ("data", "real", "out", "arms")}
-    setting["torch"] = torch.__version__
-    if given.device == "cuda":
-        setting["device"] = torch.cuda.get_device_name()
-    runs = []
+    setting = setting_of(given)
+    runs = done(given.out, setting)
+    known = {(run["arm"], run["seed"]) for run in runs}
+    tasks = [task for task in tasks if (task[0], task[2]) not in known]
     context = multiprocessing.get_context("spawn")
     with context.Pool(given.workers, prepare, (given,)) as pool:
         for run in pool.imap_unordered(one, tasks):
@@ -133,7 +153,7 @@ def main():
             took = time.time() - start
             print(f"{took:6.1f} s  {run['arm']}  seed {run['seed']}  F1 {f1:.3f}", flush=True)
             if took > given.limit:
-                print(f"stopped at the limit, {len(runs)} of {len(tasks)} done", flush=True)
+                print(f"stopped at the limit, {len(runs)} trainings done", flush=True)
                 pool.terminate()
                 break
 

@@ -94,6 +94,7 @@ def train(sources, seed, steps, batch, device, channels=24):
     """A network trained for so many steps. `sources` are pairs (pictures (n, 3, h, w) uint8, masks
     (n, 1, h, w) bool) on the device, from each of which comes an equal part of every batch."""
     torch.manual_seed(seed)
+    torch.backends.cudnn.benchmark = True  # all batches have one shape
     random = torch.Generator(device=device).manual_seed(seed)
     net = UNet(channels).to(device)
     if device != "cpu":

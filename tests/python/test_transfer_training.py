@@ -45,10 +45,20 @@ class Training(unittest.TestCase):
             write_sets(folder)
             results = folder / "results.json"
             command = [sys.executable, FOLDER / "run.py", "--data", folder, "--out", results]
-            command += "--size 64 --seeds 2 --steps 40 --batch 4 --channels 8 --parts 2".split()
-            subprocess.run([*command, "--device", "cpu"], check=True, stdout=subprocess.DEVNULL)
-            runs = json.loads(results.read_text())["runs"]
-            self.assertEqual(len(runs), 2 * 6)
+            command += "--size 64 --batch 4 --channels 8 --parts 2 --device cpu".split()
+
+            def run(*more):
+                made = subprocess.run([*command, *more], capture_output=True, text=True)
+                return made, json.loads(results.read_text())["runs"]
+
+            first, before = run("--seeds", "1", "--steps", "40")
+            self.assertEqual((first.returncode, len(before)), (0, 6), first.stderr)
+            then, runs = run("--seeds", "2", "--steps", "40")
+            self.assertEqual((then.returncode, len(runs)), (0, 2 * 6), then.stderr)
+            self.assertEqual(runs[:6], before, "what an earlier run made is kept")
+            other, kept = run("--seeds", "2", "--steps", "41")
+            self.assertEqual((other.returncode, kept), (1, runs))
+            self.assertIn("other settings", other.stderr)
             self.assertGreater(min(run["measures"]["f1"] for run in runs), 0.5)
             told = subprocess.run([sys.executable, FOLDER / "table.py", results], check=True,
                                   capture_output=True, text=True).stdout
