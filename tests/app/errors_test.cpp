@@ -90,6 +90,11 @@ TEST_F(Errors, ZeroStressEverywhereIsEquilibriumAndIsSaid) {
             "stress.uniform, an impact or a painted stress that is not\n");
 }
 
+TEST_F(Errors, AnEnvironmentNeedsAPicture) {
+  expect_error({"crack", "missing.obj", "-o", "a.glb", "--environment", "sky.hdr"}, 2,
+               "no picture is asked for");
+}
+
 TEST_F(Errors, WrongOutputsAreFoundBeforeTheInputIsRead) {
   expect_error({"crack", "missing.obj", "-o", "a.xyz"}, 2, "a.xyz");
   expect_error({"crack", "missing.obj", "--report", "missing/r.json"}, 1, "missing/r.json");

@@ -141,6 +141,11 @@ void check_mapped(const RunRequest& request) {
 
 }  // namespace
 
+bool takes_pictures(const RunRequest& request) {
+  const bool frames = !request.frames.empty() && request.frame_format == "png";
+  return !request.picture.empty() || !request.video.empty() || frames;
+}
+
 void check_picture_path(const std::string& path) {
   const Output picture{"the picture", path, {".png"}};
   check_extension(picture);
@@ -172,6 +177,10 @@ void check_request(const RunRequest& request) {
   check_growth(request);
   if (request.as_maps) check_mapped(request);
   render::find_material(request.recipe.picture.material);
+  if (!request.environment.empty() && !takes_pictures(request)) {
+    throw Error(ErrorKind::usage, "nothing would be lit", "--environment",
+                "no picture is asked for; give --picture, --frames or --video");
+  }
   if (places.empty() && request.report.empty() && request.frames.empty()) {
     throw Error(ErrorKind::usage, "nothing to write", "",
                 "give -o FILE, or one of --lines, --picture, --frames, --video, --maps, --fields, "

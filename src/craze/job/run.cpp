@@ -42,11 +42,6 @@ struct Loaded {
   BesideSurface beside;
 };
 
-bool takes_pictures(const RunRequest& request) {
-  const bool frames = !request.frames.empty() && request.frame_format == "png";
-  return !request.picture.empty() || !request.video.empty() || frames;
-}
-
 Loaded load(const RunRequest& request, const Context& context) {
   Loaded loaded;
   Input& input = loaded.input;

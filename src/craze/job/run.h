@@ -7,7 +7,7 @@
 
 #include "craze/context.h"
 #include "craze/job/maps/write_maps.h"
-#include "craze/products/maps/crack_pictures.h"
+#include "craze/products/maps/pictures/crack_pictures.h"
 #include "craze/recipe.h"
 #include "craze/render/picture.h"
 #include "craze/report.h"
@@ -43,6 +43,9 @@ struct RunRequest {
   std::string fields;  ///< stress, forces and curvatures at the end: .ply
   std::string report;  ///< .json, or "-": only in the result
 };
+
+/// Whether a picture is asked for: one, or those of frames or of a video.
+bool takes_pictures(const RunRequest& request);
 
 struct RunResult {
   Report report;
