@@ -15,8 +15,9 @@ namespace craze::render {
 
 namespace {
 
-/// Pixels of a picture, at most.
-constexpr std::int64_t most_pixels = std::int64_t{1} << 27;
+/// Pixels of a picture, at most; and of one that is packed more tightly than any of light is,
+/// besides two for each of its bytes.
+constexpr std::int64_t most_pixels = std::int64_t{1} << 27, free_pixels = std::int64_t{1} << 23;
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
@@ -72,6 +73,9 @@ class Reader {
     image.width = number(size.substr(second + 4));
     const std::int64_t pixels = static_cast<std::int64_t>(image.width) * image.height;
     if (pixels > most_pixels) fail("it has too many pixels");
+    if (pixels > free_pixels + 2 * static_cast<std::int64_t>(bytes_.size())) {
+      fail("it has too many pixels for so short a file");
+    }
     // However it is packed, a row has at least four bytes.
     if (static_cast<std::int64_t>(bytes_.size() - at_) < 4 * std::int64_t{image.height}) cut_off();
   }
