@@ -86,9 +86,6 @@ void warn_of_lost(const MeshFormat& format, const SurfaceMesh& mesh,
       kept.emplace_back(kind);
     }
   }
-  if (format.name == "glb" && options.animation && options.objects.empty()) {
-    target += " with the growth of another surface than the input's";
-  }
   std::string lost = describe_lost(contents, kept, target);
   const bool simplifies = std::any_of(contents.begin(), contents.end(), [](const auto& content) {
     return content.kind == "materials";

@@ -195,7 +195,7 @@ bool keeps_scene(const MeshFileOptions& options) {
 
 bool keeps_nodes(const SurfaceMesh& mesh, const MeshFileOptions& options) {
   const auto* document = dynamic_cast<const GltfDocument*>(options.scene.get());
-  return document && !options.animation && !mesh.face_objects.empty();
+  return document && !mesh.face_objects.empty();
 }
 
 std::string format_glb(const SurfaceMesh& mesh, const MeshFileOptions& options,

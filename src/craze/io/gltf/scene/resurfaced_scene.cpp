@@ -1,6 +1,7 @@
 #include "craze/io/gltf/scene/resurfaced_scene.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "craze/io/gltf/first_uvs.h"
 #include "craze/io/gltf/glb_mesh.h"
 #include "craze/io/gltf/gltf_nodes.h"
+#include "craze/io/gltf/growth_clip.h"
 #include "craze/io/gltf/line_lifts.h"
 #include "craze/io/gltf/scene/scene_materials.h"
 #include "craze/io/gltf/scene/scene_output.h"
@@ -19,6 +21,7 @@
 #include "craze/io/polygons/single_precision.h"
 #include "craze/io/polygons/unify_corners.h"
 #include "craze/mesh/mesh_parts.h"
+#include "craze/mesh/morph_animation.h"
 
 namespace craze {
 
@@ -75,8 +78,9 @@ class Resurfacer {
     std::size_t done = 0;
     for (const auto& [object, faces] : faces_of) {
       meter.at(done++);
-      show(node_of.at(object), extract_part(mesh_, faces).mesh);
+      show(node_of.at(object), extract_part(mesh_, faces));
     }
+    if (options_.animation) add_growth();
     if (!options_.crack_edges.empty()) add_lines();
     if (output_.root["meshes"].empty()) output_.root.erase("meshes");
     return output_.pack();
@@ -113,25 +117,35 @@ class Resurfacer {
   }
 
   /// Shows a part of the surface by a node.
-  void show(std::size_t node, SurfaceMesh part) {
+  void show(std::size_t node, ExtractedPart shown) {
+    SurfaceMesh& part = shown.mesh;
+    MorphAnimation growth;
+    if (options_.animation) growth.stages = stages_of(*options_.animation, shown.vertices);
     const Eigen::Matrix4d& world = nodes_.world(node);
     if (!(std::abs(world.topLeftCorner<3, 3>().determinant()) > 0)) {
       node = add_top_node({{"name", name_of(node)}});
     } else {
       take_into(world, part);
+      const Mat3 inverse = world.topLeftCorner<3, 3>().inverse();
+      for (MorphStage& stage : growth.stages) {
+        for (Vec3& shift : stage.shifts) shift = inverse * shift;
+      }
     }
     if (options_.objects.empty()) {
-      output_.root["nodes"][node]["mesh"] = add_mesh(name_of(node), part);
+      output_.root["nodes"][node]["mesh"] = add_mesh(name_of(node), part, growth.stages);
+      moving_.push_back(node);
       return;
     }
     const double grid = float_grid(part);
     for (const MeshPart& piece : mesh_parts(part, options_.objects)) {
-      SurfaceMesh own = extract_part(part, piece.faces).mesh;
+      const ExtractedPart extracted = extract_part(part, piece.faces);
+      SurfaceMesh own = extracted.mesh;
       const Vec3 middle = options_.solids ? solid_mass(own).centre : centroid(own);
       const Vec3 origin = on_grid(middle, grid);
       for (Vec3& p : own.positions) p = on_grid(p, grid) - origin;
-      const std::size_t mesh = add_mesh(piece.name, own);
+      const std::size_t mesh = add_mesh(piece.name, own, stages_of(growth, extracted.vertices));
       Json& nodes = output_.root["nodes"];
+      moving_.push_back(nodes.size());
       nodes[node]["children"].push_back(nodes.size());
       nodes.push_back({{"name", piece.name}, {"mesh", mesh}, {"translation", to_json(origin)}});
       if (options_.solids) add_solid(own, *options_.solids, nodes.size() - 1, output_);
@@ -153,7 +167,50 @@ class Resurfacer {
     return output_.root["nodes"][node].value("name", std::string());
   }
 
-  std::size_t add_mesh(const std::string& name, const SurfaceMesh& part) {
+  /// As all but the stages that are to come have left it.
+  Json targets(const std::vector<MorphStage>& stages, const UnifiedCorners& unified) {
+    Json all = Json::array();
+    for (const MorphStage& stage : stages) {
+      GltfElements shifts;
+      shifts.components = 3;
+      for (const std::int32_t v : unified.sources) {
+        const auto at = std::lower_bound(stage.vertices.begin(), stage.vertices.end(), v);
+        Vec3 back = Vec3::Zero();
+        if (at != stage.vertices.end() && *at == v)
+          back -= stage.shifts[at - stage.vertices.begin()];
+        static_cast<void>(to_floats(back, "GLB"));
+        shifts.append(back.data());
+      }
+      all.push_back({{"POSITION", output_.add_sparse(shifts, &bounded)}});
+    }
+    return all;
+  }
+
+  /// The animation that plays the stages, of all that has them.
+  void add_growth() {
+    const GrowthClipKeys clip = growth_clip_keys(*options_.animation);
+    const auto scalars = [](const std::vector<float>& numbers) {
+      GltfElements elements;
+      for (const double x : numbers) elements.append(&x);
+      return elements;
+    };
+    Json animation{{"name", "growth"}, {"channels", Json::array()}};
+    for (const std::size_t node : moving_) {
+      animation["channels"].push_back(
+          {{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}});
+    }
+    const std::size_t input = output_.add(scalars(clip.seconds), SceneOutput::Use::plain, &bounded);
+    animation["samplers"] =
+        Json::array({{{"input", input},
+                      {"interpolation", "LINEAR"},
+                      {"output", output_.add(scalars(clip.weights), SceneOutput::Use::plain)}}});
+    Json& root = output_.root;
+    if (!root.contains("animations")) root["animations"] = Json::array();
+    root["animations"].push_back(std::move(animation));
+  }
+
+  std::size_t add_mesh(const std::string& name, const SurfaceMesh& part,
+                       const std::vector<MorphStage>& stages) {
     const UnifiedCorners unified = unify_corners(part);
     Json attributes;
     const auto add = [&](const std::string& key, const GltfElements& elements, const Json* like) {
@@ -187,6 +244,9 @@ class Resurfacer {
     }
     Json& meshes = output_.root["meshes"];
     Json mesh{{"primitives", primitives(part, unified, attributes)}};
+    if (const Json moved = targets(stages, unified); !moved.empty()) {
+      for (Json& primitive : mesh["primitives"]) primitive["targets"] = moved;
+    }
     if (!name.empty()) mesh["name"] = name;
     meshes.push_back(std::move(mesh));
     return meshes.size() - 1;
@@ -249,6 +309,7 @@ class Resurfacer {
   std::string name_ = "the scene";
   GltfNodes nodes_;
   std::optional<std::size_t> wall_;
+  std::vector<std::size_t> moving_;  // nodes that show the surface
 };
 
 }  // namespace

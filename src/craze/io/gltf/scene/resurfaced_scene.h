@@ -14,8 +14,8 @@ namespace craze {
 /// part of the surface that it showed (face_objects, which must be there), in its own axes, with
 /// the materials that they had. Of vertices there is what `mesh` has: joints and morph targets are
 /// gone, what they did at rest is done. With options.objects fragments are nodes below. Crack lines
-/// are one node at the top. Nothing of the mesh moves (options.animation). Throws as format_scene
-/// does.
+/// are one node at the top. options.animation is one more animation, "growth". Throws as
+/// format_scene does.
 std::string format_resurfaced(const SurfaceMesh& mesh, const GltfDocument& document,
                               const MeshFileOptions& options, const Context& context);
 
