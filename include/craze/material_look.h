@@ -6,6 +6,7 @@
 #include <string>
 
 #include "craze/surface_mesh.h"
+#include "craze/texture_wrap.h"
 
 namespace craze {
 
@@ -15,6 +16,7 @@ struct LookPicture {
   std::string file;                          ///< or another file, as the mesh's own names it
   /// 2 × 3: from (u, v, 1) of the mesh to the picture's (u, v), v upwards.
   Eigen::Matrix<double, 2, 3> place = Eigen::Matrix<double, 2, 3>::Identity();
+  TextureWraps wraps{};
 
   explicit operator bool() const { return bytes || !file.empty(); }
 };

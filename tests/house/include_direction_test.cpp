@@ -36,7 +36,7 @@ const std::map<std::string, std::string> door_of = {
     {"engine", "engine"},      {"report", "engine"},       {"products", "products"},
     {"maps", "products"},      {"surface_origin", "mesh"}, {"material_look", "io"},
     {"read_mesh", "io"},       {"write_mesh", "io"},       {"craze", "bindings"},
-    {"opened_piece", "model"},
+    {"opened_piece", "model"}, {"texture_wrap", "base"},
 };
 
 /// "mesh" of "craze/mesh/weld.h" and of "craze/surface_mesh.h"; empty for headers of others.

@@ -54,6 +54,21 @@ TEST(Look, TheFactorMultipliesTheTextureWhereItIsPlaced) {
   expect_color(look.at({0.25f, 0.75f}).color, {0, 0.25f, 0});
 }
 
+TEST(Look, PicturesGoOnBeyondTheirBordersAsTheirWrapsSay) {
+  PlacedTexture placed;
+  placed.texture = std::make_shared<const ColorTexture>(four_colors());
+  const auto red_at = [&](TextureWrap wrap, float u, float v) -> Rgb {
+    placed.wraps = {wrap, wrap};
+    return placed.at({u, v}).head<3>();
+  };
+  const auto inside = [&](float u, float v) { return red_at(TextureWrap::repeat, u, v); };
+  expect_color(red_at(TextureWrap::repeat, 1.25f, 0.25f), inside(0.25f, 0.25f));
+  expect_color(red_at(TextureWrap::mirror, 1.25f, 0.25f), inside(0.75f, 0.25f));
+  expect_color(red_at(TextureWrap::mirror, 0.25f, -0.75f), inside(0.25f, 0.75f));
+  expect_color(red_at(TextureWrap::clamp, 7, 0.25f), inside(0.75f, 0.25f));
+  expect_color(red_at(TextureWrap::clamp, 0.25f, -7), inside(0.25f, 0.25f));
+}
+
 TEST(Look, AlphaCoversAsItsModeSays) {
   craze::Image image;
   image.width = image.height = 1;

@@ -28,7 +28,7 @@ class TextureReader {
       : input_(input), warnings_(warnings), context_(context) {}
 
   render::PlacedTexture of(const LookPicture& picture, render::Encoding encoding) {
-    return {texture(picture, encoding), picture.place.cast<float>()};
+    return {texture(picture, encoding), picture.place.cast<float>(), picture.wraps};
   }
 
  private:

@@ -151,6 +151,17 @@ TEST(GltfLooks, TexturesInTheFileComeAsTheirBytesOthersByName) {
   EXPECT_EQ(beside.base_picture.file, "maps/brick.jpg");
 }
 
+TEST(GltfLooks, TexturesGoOnAsTheirSamplerSays) {
+  Json json = textured({{"bufferView", 1}});
+  EXPECT_EQ(look_of(json).base_picture.wraps, TextureWraps{});
+  json["samplers"] = Json::parse(R"([{"wrapS": 33071, "wrapT": 33648}])");
+  json["textures"][0]["sampler"] = 0;
+  EXPECT_EQ(look_of(json).base_picture.wraps,
+            (TextureWraps{TextureWrap::clamp, TextureWrap::mirror}));
+  json["textures"][0]["sampler"] = 7;
+  EXPECT_EQ(look_of(json).base_picture.wraps, TextureWraps{});
+}
+
 TEST(GltfLooks, ATextureThatIsBrokenOrOfAnotherUvSetIsLeftOut) {
   const MeshFile broken = read_mesh(textured({{"bufferView", 7}}).dump(), "a.gltf");
   EXPECT_FALSE(broken.looks.at(0).base_picture);

@@ -54,6 +54,14 @@ TEST(Mtl, ColourOpacityAndPictureAreUnderstood) {
   EXPECT_EQ(materials[1].color_picture, "");
 }
 
+TEST(Mtl, PicturesRepeatUnlessTheyAreClamped) {
+  EXPECT_FALSE(parse_mtl("newmtl a\nmap_Kd a.png\n")[0].is_clamped);
+  const auto clamped = parse_mtl("newmtl a\nmap_Kd -clamp on -s 2 2 1 a.png\n");
+  EXPECT_TRUE(clamped[0].is_clamped);
+  EXPECT_EQ(clamped[0].color_picture, "a.png");
+  EXPECT_FALSE(parse_mtl("newmtl a\nmap_Kd -clamp on a.png\nmap_Kd b.png\n")[0].is_clamped);
+}
+
 TEST(Mtl, OpacityIsNeverSaidByTrWhereDSaysIt) {
   for (const char* text : {"newmtl a\nTr 1\nd 0.75\n", "newmtl a\nd 0.75\nTr 1\n",
                            "newmtl b\nd 0\nnewmtl a\nTr 0.25\n"}) {

@@ -184,6 +184,38 @@ TEST(Usda, OpacityIsWhatCoversAndLetsNothingThrough) {
   EXPECT_EQ(leaf.at("BaseColor").numbers("inputs:scale"), (std::vector<double>{1, 1, 1, 0.125}));
 }
 
+TEST(Usda, PicturesGoOnBeyondTheirBordersAsTheInputHasThem) {
+  MaterialLook look;
+  look.base_picture.file = "a.png";
+  look.base_picture.wraps = {TextureWrap::clamp, TextureWrap::mirror};
+  look.normal_picture.file = "b.png";
+  const UsdPrim material = material_of(look);
+  EXPECT_EQ(material.at("BaseColor").values.at("inputs:wrapS"), "\"clamp\"");
+  EXPECT_EQ(material.at("BaseColor").values.at("inputs:wrapT"), "\"mirror\"");
+  EXPECT_EQ(material.at("Normal").values.at("inputs:wrapS"), "\"repeat\"");
+}
+
+TEST(Usda, SaysWhereAlphaAndTransmissionBothHaveATexture) {
+  std::vector<MaterialLook> looks(2);
+  SurfaceMesh mesh = make_shape("plate?n=1");
+  mesh.material_names = {"leaf", "glass"};
+  mesh.face_materials = {0, 1};
+  MaterialLook& glass = looks[1];
+  glass.alpha = MaterialLook::Alpha::blended;
+  glass.base_picture.file = "glass.png";
+  glass.transmission = 0.5f;
+  std::vector<std::string> warnings;
+  MeshFileOptions options;
+  options.looks = &looks;
+  options.warn = [&](const std::string& w) { warnings.push_back(w); };
+  format_mesh(mesh, "usda", options);
+  EXPECT_TRUE(warnings.empty());
+  glass.transmission_picture.file = "through.png";
+  format_mesh(mesh, "usda", options);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("'glass'"), std::string::npos) << warnings[0];
+}
+
 TEST(Usda, PlacesOfPicturesAreScaledTurnedAndMoved) {
   MaterialLook look;
   look.base_picture.file = "a.png";

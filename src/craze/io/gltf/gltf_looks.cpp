@@ -104,8 +104,10 @@ class Looks {
     if (transform) uv_set = json_.index_or(*transform, "texCoord", uv_set);
     const auto index = json_.index(*reference, "index");
     if (uv_set != 0 || !index) return seen;
-    const auto image = json_.index(json_.item(root_, "textures", *index), "source");
+    const Json& texture = json_.item(root_, "textures", *index);
+    const auto image = json_.index(texture, "source");
     if (!image) return seen;
+    seen.wraps = texture_wraps(root_, texture);
     if (transform) seen.place = texture_place(*transform, json_);
     std::tie(seen.bytes, seen.file) = picture(*image);
     return seen;

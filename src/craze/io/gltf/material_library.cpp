@@ -52,9 +52,15 @@ ordered_json material_of(const MtlMaterial& mtl, MaterialLibrary& library,
   if (mtl.opacity < 1) material["alphaMode"] = "BLEND";
   const auto picture = pictures.find(mtl.color_picture);
   if (picture == pictures.end()) return material;
-  const auto [texture, is_new] = textures.try_emplace(picture->first, library.textures.size());
+  const std::string key = (mtl.is_clamped ? "clamp " : "repeat ") + picture->first;
+  const auto [texture, is_new] = textures.try_emplace(key, library.textures.size());
   if (is_new) {
     library.textures.push_back({{"source", library.images.size()}});
+    if (mtl.is_clamped) {
+      constexpr int clamp_to_edge = 33071;
+      library.textures.back()["sampler"] = library.samplers.size();
+      library.samplers.push_back({{"wrapS", clamp_to_edge}, {"wrapT", clamp_to_edge}});
+    }
     library.images.push_back(
         {{"name", picture->first}, {"mimeType", picture_type(picture->second)}});
     library.image_bytes.push_back(picture->second);

@@ -22,4 +22,24 @@ Place texture_place(const Json& transform, const GltfJson& json) {
   return up;
 }
 
+TextureWraps texture_wraps(const Json& root, const Json& texture) {
+  const auto samplers = root.find("samplers");
+  const auto number = texture.find("sampler");
+  TextureWraps wraps{};
+  if (samplers == root.end() || !samplers->is_array() || number == texture.end() ||
+      !number->is_number_unsigned() || number->get<std::size_t>() >= samplers->size()) {
+    return wraps;
+  }
+  const Json& sampler = (*samplers)[number->get<std::size_t>()];
+  const auto wrap = [&](const char* key) {
+    const auto found = sampler.is_object() ? sampler.find(key) : sampler.end();
+    if (found == sampler.end() || !found->is_number()) return TextureWrap::repeat;
+    const double value = found->get<double>();
+    return value == 33071   ? TextureWrap::clamp
+           : value == 33648 ? TextureWrap::mirror
+                            : TextureWrap::repeat;
+  };
+  return {wrap("wrapS"), wrap("wrapT")};
+}
+
 }  // namespace craze

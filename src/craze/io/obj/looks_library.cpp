@@ -26,7 +26,10 @@ void add(std::string& text, const std::string& name, const MaterialLook& look,
   text += fmt::format("\nnewmtl {}\nKd {} {} {}\nd {}\n", name, c[0], c[1], c[2], c[3]);
   const std::string picture = pictures.name_of(look.base_picture);
   if (!picture.empty()) {
-    text += fmt::format("map_Kd {}{}\n", placed(look.base_picture.place), picture);
+    const TextureWraps& wraps = look.base_picture.wraps;
+    const bool clamped = wraps[0] == TextureWrap::clamp && wraps[1] == TextureWrap::clamp;
+    text += fmt::format("map_Kd {}{}{}\n", clamped ? "-clamp on " : "",
+                        placed(look.base_picture.place), picture);
   }
 }
 

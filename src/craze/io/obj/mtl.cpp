@@ -109,7 +109,9 @@ std::vector<MtlMaterial> parse_mtl(std::string_view text) {
       } else if (keyword == "map_Kd") {
         material.scale = {1, 1};
         material.shift = {0, 0};
+        material.is_clamped = false;
         const auto place = [&](std::string_view option, std::size_t i, std::string_view word) {
+          if (option == "-clamp") material.is_clamped = word == "on";
           if (i > 1 || (option != "-s" && option != "-o")) return;
           (option == "-s" ? material.scale : material.shift)[i] = any_number(word);
         };

@@ -18,6 +18,7 @@ struct MtlMaterial {
   double opacity = 1;                              ///< d, or 1 − Tr
   std::string color_picture;                       ///< map_Kd, as the file names it; "" without
   std::array<double, 2> scale{1, 1}, shift{0, 0};  ///< of the picture's UVs: -s, then -o
+  bool is_clamped = false;                         ///< -clamp: it does not repeat
 };
 
 /// Lines that say something else, or nothing that can be understood, are passed over.

@@ -237,6 +237,7 @@ class ObjReader {
       look.base_color[3] = static_cast<float>(material.opacity);
       if (material.opacity < 1) look.alpha = MaterialLook::Alpha::blended;
       look.base_picture.file = material.color_picture;
+      if (material.is_clamped) look.base_picture.wraps.fill(TextureWrap::clamp);
       look.base_picture.place << material.scale[0], 0, material.shift[0], 0, material.scale[1],
           material.shift[1];
       known.try_emplace(material.name, std::move(look));

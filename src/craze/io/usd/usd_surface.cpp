@@ -31,6 +31,10 @@ std::string tuple(const std::array<Number, n>& numbers) {
   return text;
 }
 
+const char* wrap_name(TextureWrap wrap) {
+  return wrap == TextureWrap::clamp ? "clamp" : wrap == TextureWrap::mirror ? "mirror" : "repeat";
+}
+
 /// How a picture's numbers become the surface's: scale x + bias.
 struct Use {
   const char* color_space;
@@ -65,7 +69,8 @@ class SurfaceWriter {
     inputs += line(fmt::format("token inputs:sourceColorSpace = \"{}\"", use.color_space)) +
               line(fmt::format("float2 inputs:st.connect = <{}/{}.outputs:result>", path_,
                                uvs_of(name, picture))) +
-              line("token inputs:wrapS = \"repeat\"") + line("token inputs:wrapT = \"repeat\"") +
+              line(fmt::format("token inputs:wrapS = \"{}\"", wrap_name(picture.wraps[0]))) +
+              line(fmt::format("token inputs:wrapT = \"{}\"", wrap_name(picture.wraps[1]))) +
               line("float3 outputs:rgb") + line("float outputs:r") + line("float outputs:g") +
               line("float outputs:b") + line("float outputs:a");
     shaders_ += shader(name, "UsdUVTexture", inputs);

@@ -57,6 +57,19 @@ Rgba ColorTexture::sample(const Eigen::Vector2f& uv) const {
   return (1 - r.weight) * row(r.first) + r.weight * row(r.second);
 }
 
+Rgba ColorTexture::sample(Eigen::Vector2f uv, const TextureWraps& wraps) const {
+  const auto inside = [](float s, TextureWrap wrap, std::int32_t n) {
+    if (wrap == TextureWrap::repeat || !std::isfinite(s)) return s;
+    if (wrap == TextureWrap::mirror) {
+      s -= 2 * std::floor(s / 2);
+      if (s > 1) s = 2 - s;
+    }
+    const float half = 0.5f / static_cast<float>(n);  // a pixel: beyond, the last ones go on
+    return std::clamp(s, half, 1 - half);
+  };
+  return sample({inside(uv.x(), wraps[0], width_), inside(uv.y(), wraps[1], height_)});
+}
+
 LookSample Look::of(const Rgb& its_color, float its_alpha, float its_transmission) const {
   LookSample sample{its_color, 1, its_transmission};
   if (alpha == Alpha::cut) sample.cover = its_alpha < cutoff ? 0 : 1;

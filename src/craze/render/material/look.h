@@ -26,6 +26,8 @@ class ColorTexture {
   /// Linear, bilinear between pixel centres; u runs right and v up from the lower left corner, both
   /// repeat. A uv that is not finite counts as (0, 0).
   Rgba sample(const Eigen::Vector2f& uv) const;
+  /// The same where the picture goes on in other ways.
+  Rgba sample(Eigen::Vector2f uv, const TextureWraps& wraps) const;
   /// Whether no pixel's alpha is below 1.
   bool is_opaque() const { return is_opaque_; }
 
@@ -43,11 +45,12 @@ struct PlacedTexture {
   std::shared_ptr<const ColorTexture> texture;  ///< null: none
   /// From (u, v, 1) of the mesh to the texture's (u, v).
   Eigen::Matrix<float, 2, 3> place = Eigen::Matrix<float, 2, 3>::Identity();
+  TextureWraps wraps{};
 
   explicit operator bool() const { return texture != nullptr; }
   /// At UVs of the mesh; there must be a texture.
   Rgba at(const Eigen::Vector2f& uv) const {
-    return texture->sample(place * Eigen::Vector3f(uv.x(), uv.y(), 1));
+    return texture->sample(place * Eigen::Vector3f(uv.x(), uv.y(), 1), wraps);
   }
 };
 
