@@ -88,6 +88,26 @@ class UsdWriter {
   UsdNames names_;
 };
 
+/// Opacity reads one texture.
+void warn_of_two_opacities(const SurfaceMesh& mesh, const MeshFileOptions& options) {
+  if (!options.looks || !options.warn) return;
+  std::string list;
+  for (std::size_t m = 0; m < options.looks->size(); ++m) {
+    const MaterialLook& look = (*options.looks)[m];
+    if (look.alpha == MaterialLook::Alpha::ignored || look.base_picture.file.empty() ||
+        !(look.transmission > 0) || look.transmission_picture.file.empty()) {
+      continue;
+    }
+    const std::string name = m < mesh.material_names.size() ? mesh.material_names[m] : "";
+    list += (list.empty() ? "'" : ", '") + name + "'";
+  }
+  if (list.empty()) return;
+  options.warn(
+      fmt::format("opacity has one texture in USDA: of {} the colour's alpha stays, and the "
+                  "texture of what is transmitted is left out",
+                  list));
+}
+
 void warn_of_textures(const MeshFileOptions& options) {
   if (!options.looks || !options.warn) return;
   bool is_left_out = false;
@@ -105,6 +125,7 @@ void warn_of_textures(const MeshFileOptions& options) {
 std::string format_usda(const SurfaceMesh& mesh, const MeshFileOptions& options,
                         const Context& context) {
   warn_of_textures(options);
+  warn_of_two_opacities(mesh, options);
   if (mesh.corner_normals.empty()) return UsdWriter(mesh, options, context).write();
   SurfaceMesh unit = mesh;
   normalize_corner_normals(unit);

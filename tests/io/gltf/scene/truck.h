@@ -5,6 +5,18 @@
 
 namespace craze {
 
+/// A PNG of one pixel.
+inline std::string small_png() {
+  const std::string hex =
+      "89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de0000000c494441"
+      "54789c63386124020002d4010fd798ca390000000049454e44ae426082";
+  std::string bytes;
+  for (std::size_t i = 0; i < hex.size(); i += 2) {
+    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+  }
+  return bytes;
+}
+
 /// Two triangles, (0,0) (1,0) (1,1) (0,1), with what vertices can have.
 inline Json square(SceneFile& file, std::size_t material) {
   Json primitive = Json::object();
@@ -36,9 +48,8 @@ inline SceneFile truck() {
   json["extensions"]["VENDOR_unknown"]["table"] = {1, 2, 3};
   json["cameras"] = Json::parse(
       R"([{"name": "lens", "type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}])");
-  json["images"] = Json::array({{{"name", "paint"},
-                                 {"mimeType", "image/png"},
-                                 {"bufferView", file.add_view("\x89PNG any bytes at all")}}});
+  json["images"] = Json::array(
+      {{{"name", "paint"}, {"mimeType", "image/png"}, {"bufferView", file.add_view(small_png())}}});
   json["samplers"] = Json::parse(R"([{"wrapS": 33071}])");
   json["textures"] = Json::parse(R"([{"name": "paint", "sampler": 0, "source": 0}])");
   json["materials"] = Json::parse(R"([

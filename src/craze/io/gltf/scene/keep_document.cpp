@@ -4,6 +4,7 @@
 #include "craze/error.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/gltf/scene/gltf_document.h"
+#include "craze/io/image/picture_fault.h"
 #include "craze/io/image/picture_type.h"
 
 namespace craze {
@@ -69,7 +70,7 @@ class Gatherer {
     json_.item(root_, "images", i);
     Json& image = root_["images"][i];
     const std::string uri = json_.text(image, "uri");
-    if (uri.empty()) return;
+    if (uri.empty()) return look_at_held(i);
     const bool inside = uri.starts_with("data:");
     std::string_view bytes;
     try {
@@ -82,6 +83,7 @@ class Gatherer {
     std::string type = picture_type(bytes);
     if (type.empty() && inside) type = uri.substr(5, uri.find_first_of(";,") - 5);
     if (type.empty()) return;
+    warn_of_fault(i, bytes);
     pad(bin_);
     image.erase("uri");
     image["mimeType"] = type;
@@ -90,6 +92,31 @@ class Gatherer {
     root_["bufferViews"].push_back(
         {{"buffer", 0}, {"byteOffset", bin_.size()}, {"byteLength", bytes.size()}});
     bin_ += bytes;
+  }
+
+  /// A picture that has come with a buffer.
+  void look_at_held(std::size_t i) const {
+    const auto number = json_.index(root_["images"][i], "bufferView");
+    if (!number) return;
+    std::string_view bytes;
+    const Json& views = json_.array(root_, "bufferViews");
+    if (*number < views.size()) {
+      const std::size_t begin = json_.index_or(views[*number], "byteOffset", 0),
+                        length = json_.index_or(views[*number], "byteLength", 0);
+      if (begin <= bin_.size()) bytes = std::string_view(bin_).substr(begin, length);
+    }
+    warn_of_fault(i, bytes);
+  }
+
+  void warn_of_fault(std::size_t i, std::string_view bytes) const {
+    const std::string fault = picture_fault(bytes);
+    // Extensions bring kinds of their own, which they name.
+    const std::string type = json_.text(root_["images"][i], "mimeType");
+    const bool is_other = !type.empty() && type != "image/png" && type != "image/jpeg";
+    if (fault.empty() || (is_other && picture_type(bytes).empty())) return;
+    const std::string name = json_.text(root_["images"][i], "name");
+    source_.warn(fmt::format("image {}{} is broken, and is handed on as it is: {}", i,
+                             name.empty() ? "" : " '" + printable(name) + "'", fault));
   }
 
   Json& root_;
