@@ -8,6 +8,7 @@ Writes the assets, NAME.glb, and the cracked ones to OUT_FOLDER/work, pictures o
 
 import math
 import pathlib
+import random
 import subprocess
 import sys
 
@@ -144,12 +145,46 @@ def car(path):
                        material("rubber", (0.03, 0.03, 0.03)), material("leather", (0.7, 0.45, 0.2))])
 
 
+def scan(path):
+    """A head of clay as a scanner sees it: 80,000 triangles, rough, open below, with ears and a nose."""
+    rows, columns = 160, 250
+    dice = random.Random(1)
+
+    def point(i, j):
+        t, a = math.pi * (0.02 + 0.86 * i / rows), 2 * math.pi * j / columns
+        n = (math.sin(t) * math.cos(a), math.cos(t), math.sin(t) * math.sin(a))
+        r = 0.8 + 0.08 * math.sin(3 * n[1] + 1) + 0.03 * math.sin(5 * n[0]) * math.cos(4 * n[2])
+        for place, high, wide in (((0, -0.05, 1), 0.22, 0.16), ((0.97, 0, 0.2), 0.2, 0.2),
+                                  ((-0.97, 0, 0.2), 0.2, 0.2), ((0.35, 0.25, 0.9), -0.07, 0.16),
+                                  ((-0.35, 0.25, 0.9), -0.07, 0.16), ((0, -0.45, 0.9), 0.06, 0.2)):
+            length = math.sqrt(sum(x * x for x in place))
+            far = sum((x - y / length) ** 2 for x, y in zip(n, place))
+            r += high * math.exp(-far / wide**2)
+        r += dice.gauss(0, 0.0025)
+        return (r * n[0], 1.2 * r * n[1], r * n[2])
+
+    grid = [point(i, j) for i in range(rows + 1) for j in range(columns)]
+    faces = []
+    for i in range(rows):
+        for j in range(columns):
+            a, b = i * columns + j, i * columns + (j + 1) % columns
+            faces += [(a, b, b + columns), (a, b + columns, a + columns)]
+    with open(path, "w") as file:
+        file.write(f"ply\nformat ascii 1.0\nelement vertex {len(grid)}\n")
+        file.write("".join(f"property float {k}\n" for k in "xyz"))
+        file.write(f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n")
+        file.writelines("%.6f %.6f %.6f\n" % p for p in grid)
+        file.writelines("3 %d %d %d\n" % f for f in faces)
+
+
 ASSETS = [
     (cube, ["--preset", "glaze", "--set", "layer.relative_spacing=0.09"], ["--azimuth", "35"]),
     (jug, ["--preset", "glaze", "--set", "layer.relative_spacing=0.07"], []),
     (car, ["--preset", "paint", "--set", "layer.relative_spacing=0.05", "--set",
            'where.materials=["paint"]', "--set", "picture.material=glaze"],
      ["--azimuth", "30"]),
+    (scan, ["--preset", "glaze", "--set", "layer.relative_spacing=0.06", "--set",
+            "picture.material=clay"], ["--azimuth", "20", "--elevation", "12", "--up", "y"]),
 ]
 
 
@@ -158,7 +193,8 @@ def main():
     work = out / "work"
     work.mkdir(parents=True, exist_ok=True)
     for make, recipe, view in ASSETS:
-        given, cracked = work / f"{make.__name__}.glb", work / f"{make.__name__}_cracked.glb"
+        kind = "ply" if make is scan else "glb"
+        given, cracked = (work / f"{make.__name__}{cut}.{kind}" for cut in ("", "_cracked"))
         make(given)
         run = ["crack", given, *recipe, "-o", cracked, *SHOT, *view]
         for when, stop in (("before", ["--max-cracks", "0"]), ("after", [])):
