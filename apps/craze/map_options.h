@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "craze/job/maps/write_maps.h"
-#include "craze/products/maps/crack_pictures.h"
+#include "craze/products/maps/pictures/crack_pictures.h"
 
 namespace craze::app {
 

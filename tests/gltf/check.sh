@@ -65,3 +65,13 @@ for kind in shut open growing; do python3 "$here/same_names.py" truck.glb $kind.
 "$craze" crack "${glaze[@]}" --no-warnings --set 'mesh.output="simulation"' --fragments -o ../truck_new_pieces.glb
 "$craze" crack "${glaze[@]}" --no-warnings --set 'mesh.output="simulation"' "${open[@]}" --animate -o ../truck_new_growing.glb
 (cd .. && node validate.mjs truck_new*.glb)
+
+# UVs that are no place for maps: a further set.
+cd ..
+python3 "$here/tiled.py" tiled.glb
+tiled=(tiled.glb --preset mud --map-size 64 --no-warnings --quiet)
+mkdir -p tiled
+"$craze" crack "${tiled[@]}" --as maps -o tiled/mapped.glb
+"$craze" crack "${tiled[@]}" --maps tiled/maps --map mask -o tiled/cut.glb
+"$craze" crack "${tiled[@]}" --maps tiled/maps --map mask "${open[@]}" --animate --stages 6 -o tiled/growing.glb
+node validate.mjs --as tiled.glb tiled/*.glb

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 
 #include "craze/base/image.h"
+#include "craze/texture_wrap.h"
 
 namespace craze {
 
@@ -12,6 +14,8 @@ struct SurfacePicture {
   Image image;
   /// From (u, v, 1) of the mesh to the picture's (u, v).
   Eigen::Matrix<double, 2, 3> place = Eigen::Matrix<double, 2, 3>::Identity();
+  TextureWraps wraps{};    ///< of the picture's u and v
+  std::size_t uv_set = 0;  ///< of the mesh
 };
 
 /// What a picture holds is multiplied by its factor.

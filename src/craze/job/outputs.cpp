@@ -1,13 +1,16 @@
 #include "craze/job/outputs.h"
 
+#include <functional>
 #include <optional>
 #include <utility>
 
 #include "craze/engine/cracked_surface.h"
+#include "craze/io/files/extension.h"
 #include "craze/io/lines/write_lines.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/growth_frames.h"
 #include "craze/job/maps/mapped_output.h"
+#include "craze/job/maps/scene_uvs.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/output/write_surface.h"
 #include "craze/products/crack_lines.h"
@@ -56,7 +59,7 @@ void write_picture(const RunRequest& request, render::PictureOptions options,
 
 /// The files that show how the cracks grow, and the mesh, which may be one of them.
 void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown,
-                           const Result& result, const BesideSurface& beside,
+                           const Result& result, const SourceFile& source,
                            const render::PictureOptions& picture, Report& report,
                            const Context& context) {
   const bool frames = !request.frames.empty() || !request.video.empty();
@@ -73,11 +76,26 @@ void write_mesh_and_growth(const RunRequest& request, const OpenedSurface& shown
     if (request.split_fragments) options.objects = "fragment";
     if (request.animate) options.animation = &animation;
     options.warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
-    write_surface(request.output, shown.mesh, shown, result, beside.source, options, context);
+    write_surface(request.output, shown.mesh, shown, result, source, options, context);
   }
   if (frames) {
     write_frames(request, {result, shown, *growth}, picture, context);
   }
+}
+
+/// The UVs that maps of a kept scene lie in; none: there are no maps, or the scene is not kept.
+std::optional<SceneUvs> uvs_of_scene(const RunRequest& request, const Result& result,
+                                     const SourceFile& source,
+                                     const std::function<void(const std::string&)>& warn,
+                                     const Context& context) {
+  if (request.maps.folder.empty() && !request.as_maps) return {};
+  const auto document = std::dynamic_pointer_cast<const GltfDocument>(source.scene);
+  if (!document) return {};
+  SceneUvs uvs = scene_uvs(result, document, !request.as_maps, context);
+  if (uvs.warning.empty()) return uvs;
+  const bool is_written = lower_extension(request.output) == ".glb";
+  warn(uvs.warning + (is_written ? "" : "; -o FILE.glb writes the scene with them"));
+  return uvs;
 }
 
 }  // namespace
@@ -87,6 +105,10 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
                                                        const BesideSurface& beside, Report& report,
                                                        const Context& context) {
   const render::PictureOptions picture = picture_options(request, beside);
+  const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
+  const std::optional<SceneUvs> uvs = uvs_of_scene(request, result, beside.source, warn, context);
+  SourceFile source = beside.source;
+  if (uvs) source.scene = uvs->document;
   GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
@@ -95,9 +117,8 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
                                              result.report().recipe.post, context);
   report.output = count_mesh(shown.mesh);
   report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
-  write_mesh_and_growth(request, shown, result, beside, picture, report, context);
+  write_mesh_and_growth(request, shown, result, source, picture, report, context);
   context.check();
-  const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
   if (!request.lines.empty()) {
     write_lines(request.lines, crack_lines(result, context), warn, context);
   }
@@ -105,14 +126,16 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   if (!request.maps.folder.empty()) {
     MapsRequest maps = request.maps;
     maps.options.post = result.report().recipe.post;
-    const std::vector<std::string> warnings = write_maps(result, maps, context);
+    const std::vector<std::string> warnings =
+        uvs ? write_maps(result, *uvs, maps, context) : write_maps(result, maps, context);
     report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
   }
   context.check();
   if (request.as_maps) {
     const MappedOutput mapped{request.output, request.maps.options.size,
                               result.report().recipe.post, request.stain};
-    report.output = write_mapped(result, beside.source.scene, mapped, warn, context);
+    report.output =
+        write_mapped(result, uvs ? &*uvs : nullptr, beside.source.scene, mapped, warn, context);
   }
   context.check();
   if (!request.fields.empty()) write_mesh(request.fields, field_mesh(result, context), {}, context);

@@ -7,12 +7,13 @@
 #include "craze/engine.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/io/files/atomic_file.h"
+#include "craze/io/gltf/scene/gltf_document.h"
 #include "craze/job/load_surface.h"
 #include "craze/job/load_textures.h"
 #include "craze/job/maps/made_uvs.h"
-#include "craze/job/maps/mapped_output.h"
 #include "craze/job/material_looks.h"
 #include "craze/job/outputs.h"
+#include "craze/maps.h"
 #include "craze/model/simulation.h"
 #include "craze/products/report_json.h"
 #include "craze/render/light/environment_file.h"
@@ -81,8 +82,11 @@ RunResult run(const RunRequest& request, const Context& context) {
   Stopwatch total, phase;
   Loaded loaded = load(request, context);
   const bool maps = !request.maps.folder.empty();
-  if (maps || request.as_maps) {
-    check_mappable(*loaded.input.surface, loaded.beside.source.scene.get());
+  // What is kept as it was can be given UVs, but what is remeshed has those that it came with.
+  const bool is_kept = dynamic_cast<const GltfDocument*>(loaded.beside.source.scene.get());
+  if (is_kept && (maps || request.as_maps) &&
+      request.recipe.mesh.output == OutputMesh::simulation) {
+    check_uvs(*loaded.input.surface);
   }
   const double load_time = phase.lap();
 
@@ -94,7 +98,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   phase.lap();
 
   const Context writing = for_writing(context, report, stopped);
-  if (maps && result.state().surface->corner_uvs.empty()) {
+  if (maps && !is_kept && result.state().surface->corner_uvs.empty()) {
     std::string told;
     result = with_made_uvs(result, told, writing);
     report.warnings.push_back(told +

@@ -56,7 +56,7 @@ Report make_texture(const TextureRequest& request, const Context& context) {
   if (maps.options.maps.empty()) maps.options.maps = texture_maps();
   TileTextures::check(maps.options);
   const TileTextures made(request.recipe, request.tile, context);
-  MapFiles files(maps, context);
+  MapFiles files(maps, {}, context);
   made.bake(maps.options, files, context);
   if (request.previews) write_previews(made, request, context);
   files.write_description(describe(made, request));

@@ -1,4 +1,4 @@
-#include "craze/products/maps/crack_pictures.h"
+#include "craze/products/maps/pictures/crack_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -116,6 +116,8 @@ void MapFiles::end() {
   for (std::size_t m = 0; m < files_.size(); ++m) {
     files_[m]->finish();
     described_.push_back(describe(headers_[m], request_.format));
+    const auto set = uv_sets_.find(headers_[m].material);
+    if (set != uv_sets_.end()) described_.back()["uv_set"] = set->second;
   }
   files_.clear();
 }

@@ -1,8 +1,10 @@
 // Files of maps, and maps.json beside them.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "craze/context.h"
@@ -15,8 +17,10 @@ namespace craze {
 /// Writes the files of one set or tile after the other. References must outlive it.
 class MapFiles : public MapSink {
  public:
-  MapFiles(const MapsRequest& request, const Context& context)
-      : request_(request), context_(context) {}
+  /// uv_sets: of each material, where the maps lie in others than the first.
+  MapFiles(const MapsRequest& request, std::map<std::int32_t, std::size_t> uv_sets,
+           const Context& context)
+      : request_(request), uv_sets_(std::move(uv_sets)), context_(context) {}
 
   void begin(const std::vector<MapHeader>& headers) override;
   void rows(int first, int count, const std::vector<const float*>& maps) override;
@@ -29,6 +33,7 @@ class MapFiles : public MapSink {
   std::unique_ptr<RowImage> new_file(const MapHeader& header) const;
 
   const MapsRequest& request_;
+  std::map<std::int32_t, std::size_t> uv_sets_;
   const Context& context_;
   std::vector<MapHeader> headers_;
   std::vector<std::unique_ptr<RowImage>> files_;

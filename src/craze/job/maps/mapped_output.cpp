@@ -1,7 +1,10 @@
 #include "craze/job/maps/mapped_output.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -12,9 +15,10 @@
 #include "craze/io/source_scene.h"
 #include "craze/job/maps/made_uvs.h"
 #include "craze/maps.h"
+#include "craze/mesh/corner_frames.h"
 #include "craze/products/maps/bake_surface.h"
-#include "craze/products/maps/corner_frames.h"
 #include "craze/products/maps/map_surface.h"
+#include "craze/products/maps/pictures/relaid_pictures.h"
 #include "craze/products/maps/uv_layout.h"
 #include "craze/write_mesh.h"
 
@@ -24,10 +28,6 @@ namespace {
 
 using Document = std::shared_ptr<const GltfDocument>;
 using Warn = std::function<void(const std::string&)>;
-
-bool is_document(const SourceScene* scene) {
-  return dynamic_cast<const GltfDocument*>(scene) != nullptr;
-}
 
 /// What is written, before it has cracks.
 struct MappedScene {
@@ -40,29 +40,32 @@ std::set<std::int32_t> used_materials(const SurfaceMesh& mesh) {
   return {mesh.face_materials.begin(), mesh.face_materials.end()};
 }
 
-/// The document itself, or that of the GLB that holds `surface` and what it can of `scene`.
+/// The document itself, where the scene is one.
+MappedScene mapped_scene(const SceneUvs& uvs) {
+  MappedScene result{uvs.document, {}};
+  for (const auto& [material, set] : uvs.set) {
+    if (uvs.uncracked.count(material) == 0) result.materials[material] = material;
+  }
+  return result;
+}
+
+/// That of the GLB that holds `surface` and what it can of `scene`.
 MappedScene mapped_scene(const SurfaceMesh& surface,
                          const std::shared_ptr<const SourceScene>& scene, const Warn& warn,
                          const Context& context) {
   MappedScene result;
-  result.document = std::dynamic_pointer_cast<const GltfDocument>(scene);
-  const bool is_kept = result.document != nullptr;
-  if (!is_kept) {
-    MeshFileOptions options;
-    options.scene = scene;
-    options.warn = warn;
-    const MeshFile file = read_mesh(format_mesh(surface, "glb", options, context), "scene.glb");
-    result.document = std::dynamic_pointer_cast<const GltfDocument>(file.scene);
-  }
+  MeshFileOptions options;
+  options.scene = scene;
+  options.warn = warn;
+  const MeshFile file = read_mesh(format_mesh(surface, "glb", options, context), "scene.glb");
+  result.document = std::dynamic_pointer_cast<const GltfDocument>(file.scene);
   if (!result.document) {
     throw Error(ErrorKind::request, "cannot write the mapped mesh", "scene",
                 "its scene cannot be kept");
   }
   // GLB has one primitive per material, in their order.
   std::int32_t next = 0;
-  for (const std::int32_t material : used_materials(surface)) {
-    result.materials[material] = is_kept ? material : next++;
-  }
+  for (const std::int32_t material : used_materials(surface)) result.materials[material] = next++;
   return result;
 }
 
@@ -90,10 +93,6 @@ std::vector<Vec3> flat_normals(const SurfaceMesh& surface) {
 SurfaceMesh surface_to_map(const Result& result, const SourceScene* scene, const Warn& warn,
                            const Context& context) {
   SurfaceMesh surface = *result.state().surface;
-  if (is_document(scene)) {
-    if (surface.corner_normals.empty()) surface.corner_normals = flat_normals(surface);
-    return surface;
-  }
   surface.corner_normals = corner_normals(surface);
   const char* reason = surface.corner_uvs.empty() ? "has no UVs" : nullptr;
   if (!reason && !has_pictures(scene) &&
@@ -117,13 +116,13 @@ int largest_side(const SurfacePictures& pictures) {
 /// Hands the maps of each material to its pictures.
 class MaterialMaps : public MapSink {
  public:
-  MaterialMaps(const MappedScene& scene, const CrackStain& stain, const Warn& warn,
-               const Context& context)
-      : stain_(stain), context_(context) {
+  /// uvs: of a kept scene; null: all pictures lie in the UVs of the maps. All must outlive this.
+  MaterialMaps(const MappedScene& scene, const SceneUvs* uvs, const CrackStain& stain,
+               const Warn& warn, const Context& context)
+      : materials_(scene.materials), uvs_(uvs), stain_(stain), warn_(warn), context_(context) {
     for (const auto& [own, documents] : scene.materials) {
       own_.emplace(own, material_pictures(*scene.document, documents, warn));
     }
-    materials_ = &scene.materials;
   }
 
   int largest_picture() const {
@@ -134,7 +133,8 @@ class MaterialMaps : public MapSink {
 
   void begin(const std::vector<MapHeader>& headers) override {
     material_ = headers[0].material;
-    const MaterialPictures& own = own_.at(material_);
+    MaterialPictures& own = own_.at(material_);
+    if (uvs_) relay(own, headers[0].size);
     pictures_ = std::make_unique<CrackPictures>(own.pictures, own.base_factor, stain_, context_);
     pictures_->begin(headers);
   }
@@ -142,43 +142,99 @@ class MaterialMaps : public MapSink {
     pictures_->rows(first, count, maps);
   }
   void end() override {
-    made_.push_back({materials_->at(material_), pictures_->take(), own_.at(material_).kept});
+    MaterialPictures& own = own_.at(material_);
+    const std::size_t set = uvs_ ? uvs_->set.at(material_) : 0;
+    made_.push_back({materials_.at(material_), pictures_->take(), own.kept, set,
+                     uvs_ && uvs_->made.count(material_) > 0});
     pictures_.reset();
+    own.pictures = {};
   }
 
   const std::vector<NewPictures>& made() const { return made_; }
 
  private:
+  /// Pictures of other UV sets than that of the maps, into it.
+  void relay(MaterialPictures& own, int size) {
+    const std::size_t set = uvs_->set.at(material_);
+    const bool is_made = uvs_->made.count(material_) > 0;
+    SurfacePictures& pictures = own.pictures;
+    OwnUvs from{};
+    const std::array<const SurfacePicture*, 4> slots{&pictures.base_color, &pictures.normal,
+                                                     &pictures.occlusion, &pictures.roughness};
+    bool any = false;
+    for (std::size_t s = 0; s < slots.size(); ++s) {
+      if (slots[s]->image.empty() || (slots[s]->uv_set == set && !is_made)) continue;
+      // A set that no part of the surface has is (0, 0) everywhere.
+      from[s] = slots[s]->uv_set < uvs_->own.size() ? &uvs_->own[slots[s]->uv_set] : &no_uvs();
+      any = true;
+    }
+    if (!any) return;
+    MapSurface whole;
+    whole.surface = uvs_->surface;
+    for (std::size_t f = 0; f < whole.surface.triangles.size(); ++f) {
+      const std::vector<Vec2>& uvs = whole.surface.corner_uvs;
+      whole.pieces.push_back(
+          {static_cast<std::int32_t>(f), 0, {uvs[3 * f], uvs[3 * f + 1], uvs[3 * f + 2]}});
+    }
+    const MapSheet sheet = sheets_of_material(whole, material_, false).at(0);
+    RelaidPictures relaid = relaid_pictures(pictures, from, whole, sheet, size, context_);
+    pictures = std::move(relaid.pictures);
+    constexpr double noticed = 1.5;
+    if (relaid.pixels_per_texel < noticed || size >= MapOptions::largest_size) return;
+    const std::vector<std::string>& names = whole.surface.material_names;
+    warn_(
+        fmt::format("the pictures of {} repeat, and are {:.1f} times coarser where they show its "
+                    "cracks (maps); --map-size keeps more",
+                    material_ < 0 ? "what has no material" : "'" + names[material_] + "'",
+                    relaid.pixels_per_texel));
+  }
+
+  const std::vector<Vec2>& no_uvs() {
+    if (no_uvs_.empty()) no_uvs_.assign(3 * uvs_->surface.triangles.size(), Vec2::Zero());
+    return no_uvs_;
+  }
+
+  const std::map<std::int32_t, std::int32_t>& materials_;
+  const SceneUvs* uvs_;
   const CrackStain& stain_;
+  const Warn& warn_;
   const Context& context_;
-  const std::map<std::int32_t, std::int32_t>* materials_;
   std::map<std::int32_t, MaterialPictures> own_;  // by the input's material
-  std::int32_t material_ = -1;                    // of the maps that come
+  std::vector<Vec2> no_uvs_;
+  std::int32_t material_ = -1;  // of the maps that come
   std::unique_ptr<CrackPictures> pictures_;
   std::vector<NewPictures> made_;
 };
 
-}  // namespace
-
-void check_mappable(const SurfaceMesh& input, const SourceScene* scene) {
-  if (is_document(scene)) check_uvs(input);
+/// The scene's surface, as glTF shades it.
+SurfaceMesh surface_of_scene(const SceneUvs& uvs) {
+  SurfaceMesh surface = uvs.surface;
+  if (surface.corner_normals.empty()) surface.corner_normals = flat_normals(surface);
+  return surface;
 }
 
-MeshCounts write_mapped(const Result& result, const std::shared_ptr<const SourceScene>& scene,
-                        const MappedOutput& output, const Warn& warn, const Context& context) {
-  const SurfaceMesh surface = surface_to_map(result, scene.get(), warn, context);
-  const MappedScene mapped = mapped_scene(surface, scene, warn, context);
+}  // namespace
+
+MeshCounts write_mapped(const Result& result, const SceneUvs* uvs,
+                        const std::shared_ptr<const SourceScene>& scene, const MappedOutput& output,
+                        const Warn& warn, const Context& context) {
+  const SurfaceMesh surface =
+      uvs ? surface_of_scene(*uvs) : surface_to_map(result, scene.get(), warn, context);
+  const MappedScene mapped = uvs ? mapped_scene(*uvs) : mapped_scene(surface, scene, warn, context);
   CrackStain stain = output.stain;
   stain.late = output.post.late_width;
-  MaterialMaps maps(mapped, stain, warn, context);
+  MaterialMaps maps(mapped, uvs, stain, warn, context);
   MapOptions options;
   options.size = std::clamp(maps.largest_picture(), output.size, MapOptions::largest_size);
   options.maps = CrackPictures::maps();
   options.by_material = true;
   options.post = output.post;
-  for (const std::string& warning :
-       bake_surface(map_surface(result, surface, options.post, context), options, maps, context)) {
-    warn(warning);
+  MapSurface baked = map_surface(result, surface, options.post, context);
+  if (uvs) baked.left_out = uvs->uncracked;
+  if (mapped.materials.empty()) {
+    warn("there are no cracks: the materials stay as they are (maps)");
+  } else {
+    for (const std::string& warning : bake_surface(baked, options, maps, context)) warn(warning);
   }
   write_file(output.path, format_with_pictures(*mapped.document, maps.made(), context),
              "cannot write mesh", context);

@@ -6,6 +6,7 @@
 
 #include "craze/context.h"
 #include "craze/engine.h"
+#include "craze/job/maps/scene_uvs.h"
 #include "craze/maps.h"
 #include "craze/surface_mesh.h"
 
@@ -28,6 +29,9 @@ struct MapsRequest {
 /// number.
 std::vector<std::string> write_maps(const Result& result, const MapsRequest& request,
                                     const Context& context);
+/// The same in the UVs that a kept scene has, or was given; maps.json says in which set.
+std::vector<std::string> write_maps(const Result& result, const SceneUvs& uvs,
+                                    const MapsRequest& request, const Context& context);
 std::vector<std::string> write_maps(const SurfaceMesh& cracked, const MapsRequest& request,
                                     const Context& context);
 

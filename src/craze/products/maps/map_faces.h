@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "craze/products/maps/corner_frames.h"
+#include "craze/mesh/corner_frames.h"
 #include "craze/products/maps/seen_cracks.h"
 
 namespace craze {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "craze/context.h"
@@ -47,6 +48,9 @@ struct MapSurface {
   bool has_widths = true;  ///< the cracks' widths are known
   bool has_times = true;   ///< and when they opened
   std::uint64_t seed = 1;  ///< of what is random about rims
+  bool apart = false;      ///< materials lie in different UV sets: a picture has one alone
+  /// Materials whose maps are not wanted; without any left there are none.
+  std::set<std::int32_t> left_out;
 
   bool is_tile() const { return !joined.empty(); }
   /// By which faces are neighbours.

@@ -16,7 +16,6 @@ namespace craze {
 namespace {
 
 constexpr int looked_at = 1024;    // texels a side in which overlap is looked for
-constexpr double unseen = 1e-3;    // share of overlapping texels that rounding makes
 constexpr double rounding = 1e-5;  // of UVs at the border of a tile, tiles
 constexpr int tiles_across = 10;   // of a row of UDIM tiles
 
@@ -38,19 +37,6 @@ Vec2 cell_of(const Box& box) {
 bool is_inside(const Box& box, const Vec2& cell) {
   return ((box.low - cell).array() >= -rounding).all() &&
          ((box.high - cell).array() <= 1 + rounding).all();
-}
-
-bool has_tiles(const std::vector<MapPiece>& pieces) {
-  bool beyond_first = false;
-  for (const MapPiece& piece : pieces) {
-    const Box box = box_of(piece);
-    const Vec2 cell = cell_of(box);
-    if (!is_inside(box, cell) || cell.x() < 0 || cell.x() >= tiles_across || cell.y() < 0) {
-      return false;
-    }
-    beyond_first |= !cell.isZero();
-  }
-  return beyond_first;
 }
 
 /// Places a piece in every cell that it touches, as far as that is sane.
@@ -76,7 +62,7 @@ std::vector<MapSheet> sheets_of(const MapSurface& maps, bool tiles, std::int32_t
   const Materials& of_face = maps.surface.face_materials;
   for (std::size_t i = 0; i < maps.pieces.size(); ++i) {
     const MapPiece& piece = maps.pieces[i];
-    if (by_material && of_face[piece.face] != material) continue;
+    if (by_material && !of_face.empty() && of_face[piece.face] != material) continue;
     const auto index = static_cast<std::int32_t>(i);
     if (!tiles) {
       place_repeated(piece, index, sheets[0].pieces);
@@ -96,17 +82,6 @@ std::vector<MapSheet> sheets_of(const MapSurface& maps, bool tiles, std::int32_t
     result.push_back(std::move(sheet));
   }
   return result;
-}
-
-/// Share of the covered texels that more than one piece asks for.
-double overlap(const MapSurface& maps, const std::vector<MapSheet>& sheets) {
-  std::int64_t covered = 0, twice = 0;
-  for (const MapSheet& sheet : sheets) {
-    const TexelOwners owners(maps.pieces, sheet.pieces, looked_at);
-    covered += owners.covered();
-    twice += owners.overlapping();
-  }
-  return covered > 0 ? static_cast<double>(twice) / static_cast<double>(covered) : 0;
 }
 
 /// Names that files can have, each another.
@@ -133,11 +108,40 @@ void make_names_distinct(std::vector<MapSheet>& sheets) {
 
 }  // namespace
 
+bool has_tiles(const MapSurface& maps) {
+  bool beyond_first = false;
+  for (const MapPiece& piece : maps.pieces) {
+    const Box box = box_of(piece);
+    const Vec2 cell = cell_of(box);
+    if (!is_inside(box, cell) || cell.x() < 0 || cell.x() >= tiles_across || cell.y() < 0) {
+      return false;
+    }
+    beyond_first |= !cell.isZero();
+  }
+  return beyond_first;
+}
+
+std::vector<MapSheet> sheets_of_material(const MapSurface& maps, std::int32_t material,
+                                         bool tiles) {
+  return sheets_of(maps, tiles, material, true);
+}
+
+double overlap_of(const MapSurface& maps, const std::vector<MapSheet>& sheets) {
+  std::int64_t covered = 0, twice = 0;
+  for (const MapSheet& sheet : sheets) {
+    const TexelOwners owners(maps.pieces, sheet.pieces, looked_at);
+    covered += owners.covered();
+    twice += owners.overlapping();
+  }
+  return covered > 0 ? static_cast<double>(twice) / static_cast<double>(covered) : 0;
+}
+
 UvLayout uv_layout(const MapSurface& maps, bool by_material, const Context& context) {
   UvLayout layout;
-  const bool tiles = !by_material && has_tiles(maps.pieces);
+  const bool tiles = !by_material && has_tiles(maps);
   const Materials& materials = maps.surface.face_materials;
-  const std::set<std::int32_t> used(materials.begin(), materials.end());
+  std::set<std::int32_t> used(materials.begin(), materials.end());
+  for (const std::int32_t out : maps.left_out) used.erase(out);
   const auto apart = [&] {
     std::vector<MapSheet> sheets;
     for (const std::int32_t material : used) {
@@ -148,20 +152,20 @@ UvLayout uv_layout(const MapSurface& maps, bool by_material, const Context& cont
     }
     return sheets;
   };
-  const bool must_part = by_material && !used.empty();
+  const bool must_part = (by_material || maps.apart) && !materials.empty();
   layout.sheets = must_part ? apart() : sheets_of(maps, tiles, -1, false);
-  double overlapping = overlap(maps, layout.sheets);
+  double overlapping = overlap_of(maps, layout.sheets);
   context.check();
-  if (!must_part && overlapping > unseen && used.size() > 1) {
+  if (!must_part && overlapping > unseen_overlap && used.size() > 1) {
     std::vector<MapSheet> sheets = apart();
-    const double less = overlap(maps, sheets);
+    const double less = overlap_of(maps, sheets);
     if (less < overlapping / 2) {
       layout.sheets = std::move(sheets);
       overlapping = less;
     }
   }
   if (layout.sheets.size() > 1) make_names_distinct(layout.sheets);
-  if (overlapping > unseen) {
+  if (overlapping > unseen_overlap) {
     layout.warnings.push_back(fmt::format(
         "the UVs overlap (maps): {:.2g} % of the covered texels belong to several places of the "
         "surface and show the first one; unwrap it without overlap",

@@ -29,10 +29,22 @@ struct UvLayout {
   std::vector<std::string> warnings;
 };
 
+/// Share of texels that rounding makes overlap.
+inline constexpr double unseen_overlap = 1e-3;
+
+/// Whether each piece lies in one cell of the grid 0 ≤ u < 10, 0 ≤ v and not all in the first.
+bool has_tiles(const MapSurface& maps);
+
+/// The pictures of one material's pieces (−1: of those without), with or without tiles.
+std::vector<MapSheet> sheets_of_material(const MapSurface& maps, std::int32_t material, bool tiles);
+
+/// Share of the covered texels that more than one piece asks for.
+double overlap_of(const MapSurface& maps, const std::vector<MapSheet>& sheets);
+
 /// One set for all materials where their UVs lie apart, else one per material. Tiles where each
 /// piece lies in one cell of the grid 0 ≤ u < 10, 0 ≤ v and not all in the first; UVs that leave
 /// 0 … 1 otherwise repeat. by_material: one set per material whatever lies apart, and no tiles.
-/// Warns where UVs overlap within a set.
+/// What MapSurface leaves out is in none. Warns where UVs overlap within a set.
 UvLayout uv_layout(const MapSurface& maps, bool by_material, const Context& context);
 
 /// #F, 1: a corner of the face is on the border of an island of the UVs.

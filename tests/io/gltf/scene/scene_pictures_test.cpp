@@ -76,9 +76,10 @@ TEST(ScenePictures, AreReadWithTheirFactorsAndPlaces) {
   EXPECT_EQ(green.pictures.base_color.place(0, 0), 3);
   EXPECT_EQ(green.base_factor[0], 0.5f);
   EXPECT_EQ(green.pictures.roughness_factor, 0.3);
-  EXPECT_TRUE(green.kept[1]);  // its normals lie in another UV set
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("normal"), std::string::npos);
+  EXPECT_EQ(green.pictures.base_color.uv_set, 0u);
+  EXPECT_EQ(green.pictures.normal.uv_set, 1u);
+  EXPECT_FALSE(green.kept[1]);
+  EXPECT_TRUE(warnings.empty());
 }
 
 TEST(ScenePictures, TakeThePlaceOfTheirOwnMaterialsAlone) {
@@ -92,6 +93,53 @@ TEST(ScenePictures, TakeThePlaceOfTheirOwnMaterialsAlone) {
   EXPECT_EQ(material["occlusionTexture"]["index"],
             material["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"]);
   EXPECT_EQ(material["pbrMetallicRoughness"]["roughnessFactor"], 1.0);
+}
+
+TEST(ScenePictures, OfAnotherUvSetSaySoAndTakeTheTangentsOfTheOldOneAway) {
+  SceneFile file = shelf();
+  for (const int mesh : {0, 1}) {
+    Json& attributes = file.json["meshes"][mesh]["primitives"][0]["attributes"];
+    attributes["TANGENT"] = file.add<float>({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", 5126, 4);
+    attributes["TEXCOORD_1"] = file.add<float>({0, 0, 1, 0, 0, 1}, "VEC2", 5126, 2);
+  }
+  NewPictures second = blue(0);
+  second.uv_set = 1;
+  const SceneFile made(format_with_pictures(*document_of(file), {second, blue(1)}, {}));
+  const Json &moved = made.json["materials"][0], &stayed = made.json["materials"][1];
+  EXPECT_EQ(moved["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"], 1);
+  EXPECT_EQ(moved["normalTexture"]["texCoord"], 1);
+  EXPECT_FALSE(stayed["normalTexture"].contains("texCoord"));
+  EXPECT_FALSE(made.primitive(0, 0)["attributes"].contains("TANGENT"));
+  EXPECT_TRUE(made.primitive(1, 0)["attributes"].contains("TANGENT"));
+  second.has_tangents = true;
+  const SceneFile renewed(format_with_pictures(*document_of(file), {second}, {}));
+  EXPECT_TRUE(renewed.primitive(0, 0)["attributes"].contains("TANGENT"));
+}
+
+TEST(ScenePictures, ThatAreBrokenAreNamedAndHandedOn) {
+  const auto warnings_of = [](const std::string& bytes, const char* type) {
+    SceneFile file = shelf();
+    file.json["images"].push_back(
+        {{"name", "rust"}, {"mimeType", type}, {"bufferView", file.add_view(bytes)}});
+    const MeshFile read = read_mesh(file.bytes(), "a.glb");
+    EXPECT_NE(read.scene, nullptr);
+    return read.warnings;
+  };
+  const std::string whole = encode_png(plain(1, 2, 3));
+  std::string damaged = whole;
+  damaged[45] ^= 1;
+  EXPECT_TRUE(warnings_of(whole, "image/png").empty());
+  EXPECT_TRUE(warnings_of("DDS any bytes", "image/vnd-ms.dds").empty());
+  for (const auto& [bytes, why] :
+       {std::pair<std::string, std::string>{whole.substr(0, whole.size() - 3), "it is cut off"},
+        {whole.substr(0, 30), "it is cut off"},
+        {damaged, "its bytes are damaged"},
+        {"no picture", "it is no picture that is known"},
+        {std::string("\xFF\xD8\xFF\xE0\0\x04\0\0", 8), "it is cut off"}}) {
+    const std::vector<std::string> warnings = warnings_of(bytes, "image/png");
+    ASSERT_EQ(warnings.size(), 1u) << why;
+    EXPECT_EQ(warnings[0], "image 2 'rust' is broken, and is handed on as it is: " + why);
+  }
 }
 
 TEST(ScenePictures, LeaveEveryPrimitiveAsItWas) {

@@ -75,6 +75,10 @@ Vec3 PrimitiveVertices::position(std::size_t vertex) const {
   return vector(positions(), vertex);
 }
 
+Vec3 PrimitiveVertices::normal(std::size_t vertex) const {
+  return vector(attributes_.at("NORMAL"), vertex);
+}
+
 Vec3 PrimitiveVertices::morph(std::size_t vertex) const {
   Vec3 sum = Vec3::Zero();
   for (std::size_t t = 0; t < std::min(targets_.size(), place_.morph_weights.size()); ++t) {

@@ -61,6 +61,7 @@ class PrimitiveVertices {
   void turn_normal(std::size_t vertex, const Vec3& normal);
   /// Of a vertex, in the axes that the file gives it in.
   Vec3 position(std::size_t vertex) const;
+  Vec3 normal(std::size_t vertex) const;
   void set_position(std::size_t vertex, const Vec3& p);
   /// Adds or replaces an attribute.
   void set(const std::string& name, GltfElements elements);

@@ -313,11 +313,15 @@ void SceneOutput::reuse_views() {
   added_bytes_ = {std::move(bytes)};
 }
 
-std::string SceneOutput::pack() {
+SceneOutput::Parts SceneOutput::finish() {
   reuse_accessors();
   reuse_views();
-  return glb_file(root.dump(-1, ' ', false, Json::error_handler_t::replace),
-                  added_bytes_.empty() ? document_.bin() : added_bytes_[0]);
+  return {std::move(root), added_bytes_.empty() ? document_.bin() : std::move(added_bytes_[0])};
+}
+
+std::string SceneOutput::pack() {
+  const Parts parts = finish();
+  return glb_file(parts.root.dump(-1, ' ', false, Json::error_handler_t::replace), parts.bin);
 }
 
 }  // namespace craze

@@ -40,7 +40,13 @@ class SceneOutput {
   /// Names it among them no more.
   void forget_extension(const char* name);
 
-  /// The file. Throws Error(request) for more than 4 GB.
+  struct Parts {
+    Json root;
+    std::string bin;  ///< its one buffer
+  };
+  /// The document, changed; this is of no use after.
+  Parts finish();
+  /// The same as a file. Throws Error(request) for more than 4 GB.
   std::string pack();
 
  private:

@@ -63,6 +63,13 @@ const Json* item(const Json& root, const char* list, std::optional<std::size_t> 
   return items && items->is_array() && i && *i < items->size() ? &(*items)[*i] : nullptr;
 }
 
+/// The UV set that a reference to a texture reads.
+std::size_t uv_set_of(const Json& reference) {
+  const std::size_t set = index(&reference, "texCoord").value_or(0);
+  const Json* moved = GltfJson(unnamed).extension(reference, "KHR_texture_transform");
+  return index(moved, "texCoord").value_or(set);
+}
+
 /// The picture that a texture shows; throws Error where it cannot be read.
 SurfacePicture read_picture(const GltfDocument& document, const Json& reference) {
   const auto fail = [](const char* why) {
@@ -71,11 +78,11 @@ SurfacePicture read_picture(const GltfDocument& document, const Json& reference)
   SurfacePicture picture;
   const Json* moved = GltfJson(unnamed).extension(reference, "KHR_texture_transform");
   if (moved) picture.place = texture_place(*moved, GltfJson(unnamed));
-  const double set = number(&reference, "texCoord", 0);
-  if (number(moved, "texCoord", set) > 0) fail("it lies in a further UV set");
+  picture.uv_set = uv_set_of(reference);
   const Json& root = document.root();
-  const Json* image =
-      item(root, "images", index(item(root, "textures", index(&reference, "index")), "source"));
+  const Json* texture = item(root, "textures", index(&reference, "index"));
+  const Json* image = item(root, "images", index(texture, "source"));
+  if (texture) picture.wraps = texture_wraps(root, *texture);
   if (!image) fail("it is of a kind that is not known here");
   const Json* view = item(root, "bufferViews", index(image, "bufferView"));
   if (!view) fail("its file was not brought");
@@ -109,32 +116,34 @@ class PictureWriter {
     }
   }
 
-  void put(std::int32_t number, const std::array<std::string, slots>& files,
-           const KeptPictures& kept) {
-    const std::size_t at = number < 0 ? new_material() : static_cast<std::size_t>(number);
+  void put(const NewPictures& made, const std::array<std::string, slots>& files) {
+    const KeptPictures& kept = made.kept;
+    const std::size_t at =
+        made.material < 0 ? new_material(made.uv_set) : static_cast<std::size_t>(made.material);
     Json& material = output_.root["materials"][at];
     if (!material.contains("pbrMetallicRoughness")) {
       material["pbrMetallicRoughness"] = Json::object();
     }
+    const Json* own_normal = find_slot(material, normal);
+    if (!kept[normal] && !made.has_tangents &&
+        made.uv_set != (own_normal ? uv_set_of(*own_normal) : 0)) {
+      drop_tangents(at);
+    }
     Json& surface = material["pbrMetallicRoughness"];
     const std::string name = material.value("name", fmt::format("material_{}", at));
-    const auto put_in = [&](Slot slot, const std::string& file) {
-      return put_texture(material, slot, name, file);
+    const auto put_in = [&](Slot slot) {
+      Json reference{{"index", put_texture(material, slot, name, files[slot])}};
+      if (made.uv_set > 0) reference["texCoord"] = made.uv_set;
+      return reference;
     };
-    if (!kept[base_color]) {
-      const std::size_t texture = put_in(base_color, files[base_color]);
-      surface["baseColorTexture"] = {{"index", texture}};
-    }
-    if (!kept[normal]) {
-      const std::size_t texture = put_in(normal, files[normal]);
-      material["normalTexture"] = {{"index", texture}};
-    }
+    if (!kept[base_color]) surface["baseColorTexture"] = put_in(base_color);
+    if (!kept[normal]) material["normalTexture"] = put_in(normal);
     if (kept[roughness]) return;
-    const std::size_t texture = put_in(roughness, files[roughness]);
-    surface["metallicRoughnessTexture"] = {{"index", texture}};
+    const Json reference = put_in(roughness);
+    surface["metallicRoughnessTexture"] = reference;
     surface["metallicFactor"] = 1.0;
     surface["roughnessFactor"] = 1.0;
-    if (!kept[occlusion]) material["occlusionTexture"] = {{"index", texture}};
+    if (!kept[occlusion]) material["occlusionTexture"] = reference;
   }
 
   std::string pack() { return output_.pack(); }
@@ -145,18 +154,32 @@ class PictureWriter {
     return root[name];
   }
 
-  /// For the primitives that had none; as glTF shows those.
-  std::size_t new_material() {
+  /// For the primitives that had none and have that UV set; as glTF shows those.
+  std::size_t new_material(std::size_t uv_set) {
+    const std::string uvs = "TEXCOORD_" + std::to_string(uv_set);
     Json& materials = list(output_.root, "materials");
     const std::size_t own = materials.size();
     materials.push_back({{"name", "surface"}});
     for (Json& mesh : output_.root["meshes"]) {
       for (Json& primitive : mesh["primitives"]) {
         const double mode = number(&primitive, "mode", 4);
-        if (!primitive.contains("material") && mode >= 4) primitive["material"] = own;
+        if (primitive.contains("material") || mode < 4) continue;
+        if (primitive["attributes"].contains(uvs)) primitive["material"] = own;
       }
     }
     return own;
+  }
+
+  /// Those in the file belong to the UVs that the material's normals lay in.
+  void drop_tangents(std::size_t material) {
+    for (Json& mesh : output_.root["meshes"]) {
+      for (Json& primitive : mesh["primitives"]) {
+        if (index(&primitive, "material") != material) continue;
+        primitive["attributes"].erase("TANGENT");
+        if (!primitive.contains("targets")) continue;
+        for (Json& target : primitive["targets"]) target.erase("TANGENT");
+      }
+    }
   }
 
   /// The texture that shows the picture from now on: the material's own where only that shows it.
@@ -244,7 +267,7 @@ std::string format_with_pictures(const GltfDocument& document,
         if (images[s] && !made.kept[s]) files[s] = encode_png(*images[s]);
       }
     });
-    writer.put(made.material, files, made.kept);
+    writer.put(made, files);
   }
   return writer.pack();
 }

@@ -1,4 +1,4 @@
-#include "craze/products/maps/corner_frames.h"
+#include "craze/mesh/corner_frames.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,6 +1,7 @@
-#include "craze/products/maps/sample_picture.h"
+#include "craze/products/maps/pictures/sample_picture.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace craze {
@@ -12,8 +13,19 @@ struct Between {
   double share;  ///< of high
 };
 
+/// The pixel that stands for pixel x of a picture that goes on.
+std::int32_t wrapped(double x, std::int32_t size, TextureWrap wrap) {
+  if (wrap == TextureWrap::clamp) {
+    return static_cast<std::int32_t>(std::clamp(x, 0.0, static_cast<double>(size - 1)));
+  }
+  const double period = wrap == TextureWrap::mirror ? 2.0 * size : size;
+  x -= std::floor(x / period) * period;
+  const auto pixel = static_cast<std::int32_t>(std::clamp(x, 0.0, period - 1));
+  return pixel < size ? pixel : 2 * size - 1 - pixel;
+}
+
 /// The pixels on both sides of x, in pixels from the border of the first.
-Between pixels_around(double x, std::int32_t size) {
+Between pixels_around(double x, std::int32_t size, TextureWrap wrap) {
   // A middle that rounding misses by less than this is one.
   constexpr double rounding = 1e-6;
   double low = std::floor(x - 0.5);
@@ -23,9 +35,14 @@ Between pixels_around(double x, std::int32_t size) {
     share = 0;
     ++low;
   }
-  low -= std::floor(low / size) * size;
-  const auto first = static_cast<std::int32_t>(low) % size;
-  return {first, (first + 1) % size, share};
+  return {wrapped(low, size, wrap), wrapped(low + 1, size, wrap), share};
+}
+
+/// In pixels, without the periods that single steps would be lost in.
+double in_pixels(double x, std::int32_t size, TextureWrap wrap) {
+  if (wrap == TextureWrap::clamp) return std::clamp(x, -1.0, 2.0) * size;
+  const double period = wrap == TextureWrap::mirror ? 2 : 1;
+  return (x - std::floor(x / period) * period) * size;
 }
 
 }  // namespace
@@ -33,9 +50,10 @@ Between pixels_around(double x, std::int32_t size) {
 Color PictureSampler::color(const Vec2& mesh_uv) const {
   const Vec2 uv = place_ * mesh_uv.homogeneous();
   if (image_.empty() || !uv.allFinite()) return {1, 1, 1, 1};
-  const Between x = pixels_around((uv.x() - std::floor(uv.x())) * image_.width, image_.width);
-  const double v = 1 - uv.y();
-  const Between y = pixels_around((v - std::floor(v)) * image_.height, image_.height);
+  const Between x =
+      pixels_around(in_pixels(uv.x(), image_.width, wraps_[0]), image_.width, wraps_[0]);
+  const Between y =
+      pixels_around(in_pixels(1 - uv.y(), image_.height, wraps_[1]), image_.height, wraps_[1]);
   const auto value = [&](int c) {
     const auto along = [&](std::int32_t row) {
       const double low = image_.value(x.low, row, c);

@@ -1,11 +1,11 @@
-#include "craze/products/maps/crack_pictures.h"
+#include "craze/products/maps/pictures/crack_pictures.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "craze/base/parallel.h"
 #include "craze/base/srgb.h"
-#include "craze/products/maps/sample_picture.h"
+#include "craze/products/maps/pictures/sample_picture.h"
 
 namespace craze {
 
