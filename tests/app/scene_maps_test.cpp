@@ -194,6 +194,17 @@ TEST_F(SceneMaps, AsFilesSayTheirUvSetAndCutScenesBringIt) {
       << alone.err;
 }
 
+// What was made for maps is not missed where only the cut surface is written.
+TEST_F(SceneMaps, LeaveWhatIsSaidOfOtherFormatsAsItIs) {
+  const auto lost = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"-o", "x.ply"});
+    const std::string all = crack(more).err;
+    return all.substr(std::min(all.find("not kept of the input"), all.size()));
+  };
+  EXPECT_FALSE(lost({}).empty());
+  EXPECT_EQ(lost({"--maps", "m", "--map", "mask"}), lost({}));
+}
+
 TEST_F(SceneMaps, OfARemeshedSurfaceWithoutUvsAreRefusedBeforeItCracks) {
   SceneFile bare;
   bare.json["materials"] = Json::parse(R"([{"name": "clay"}])");
@@ -213,6 +224,10 @@ TEST_F(SceneMaps, OfARemeshedSurfaceWithoutUvsAreRefusedBeforeItCracks) {
   EXPECT_NE(refused.err.find("no UVs"), std::string::npos) << refused.err;
   EXPECT_FALSE(std::filesystem::exists(file("m")));
   EXPECT_EQ(with("mesh.output=\"asset\"").code, 0);
+  const CommandResult parts =
+      crack({"--as", "maps", "-o", "x.glb", "--set", "mesh.output=\"simulation\""});
+  EXPECT_EQ(parts.code, 1);
+  EXPECT_NE(parts.err.find("parts with no UVs"), std::string::npos) << parts.err;
 }
 
 TEST_F(SceneMaps, AreTheSameBytesOnAnyNumberOfThreads) {

@@ -108,7 +108,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
   const std::optional<SceneUvs> uvs = uvs_of_scene(request, result, beside.source, warn, context);
   SourceFile source = beside.source;
-  if (uvs) source.scene = uvs->document;
+  if (uvs && lower_extension(request.output) == ".glb") source.scene = uvs->document;
   GrowthTimes times = growth_times(result);
   SurfaceMesh cut =
       shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);

@@ -11,9 +11,9 @@
 #include "craze/job/load_surface.h"
 #include "craze/job/load_textures.h"
 #include "craze/job/maps/made_uvs.h"
+#include "craze/job/maps/scene_uvs.h"
 #include "craze/job/material_looks.h"
 #include "craze/job/outputs.h"
-#include "craze/maps.h"
 #include "craze/model/simulation.h"
 #include "craze/products/report_json.h"
 #include "craze/render/light/environment_file.h"
@@ -83,10 +83,10 @@ RunResult run(const RunRequest& request, const Context& context) {
   Loaded loaded = load(request, context);
   const bool maps = !request.maps.folder.empty();
   // What is kept as it was can be given UVs, but what is remeshed has those that it came with.
-  const bool is_kept = dynamic_cast<const GltfDocument*>(loaded.beside.source.scene.get());
-  if (is_kept && (maps || request.as_maps) &&
+  const auto* document = dynamic_cast<const GltfDocument*>(loaded.beside.source.scene.get());
+  if (document && (maps || request.as_maps) &&
       request.recipe.mesh.output == OutputMesh::simulation) {
-    check_uvs(*loaded.input.surface);
+    check_first_uvs(*document);
   }
   const double load_time = phase.lap();
 
@@ -98,7 +98,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   phase.lap();
 
   const Context writing = for_writing(context, report, stopped);
-  if (maps && !is_kept && result.state().surface->corner_uvs.empty()) {
+  if (maps && !document && result.state().surface->corner_uvs.empty()) {
     std::string told;
     result = with_made_uvs(result, told, writing);
     report.warnings.push_back(told +

@@ -121,7 +121,9 @@ class MaterialMaps : public MapSink {
                const Warn& warn, const Context& context)
       : materials_(scene.materials), uvs_(uvs), stain_(stain), warn_(warn), context_(context) {
     for (const auto& [own, documents] : scene.materials) {
-      own_.emplace(own, material_pictures(*scene.document, documents, warn));
+      MaterialPictures& pictures =
+          own_.emplace(own, material_pictures(*scene.document, documents, warn)).first->second;
+      if (uvs && uvs->is_remeshed) keep_further_sets(pictures);
     }
   }
 
@@ -153,6 +155,20 @@ class MaterialMaps : public MapSink {
   const std::vector<NewPictures>& made() const { return made_; }
 
  private:
+  /// They stay as they are, with a warning: a remeshed surface does not tell where they lay.
+  void keep_further_sets(MaterialPictures& own) const {
+    SurfacePictures& p = own.pictures;
+    const std::array<SurfacePicture*, 4> slots{&p.base_color, &p.normal, &p.occlusion,
+                                               &p.roughness};
+    bool any = false;
+    for (std::size_t s = 0; s < slots.size(); ++s) {
+      if (slots[s]->image.empty() || slots[s]->uv_set == 0) continue;
+      *slots[s] = {};
+      own.kept[s] = any = true;
+    }
+    if (any) warn_("pictures in further UV sets stay without cracks on a remeshed surface (maps)");
+  }
+
   /// Pictures of other UV sets than that of the maps, into it.
   void relay(MaterialPictures& own, int size) {
     const std::size_t set = uvs_->set.at(material_);

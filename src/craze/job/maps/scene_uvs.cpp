@@ -10,6 +10,7 @@
 
 #include "craze/engine/asset/cut_surface.h"
 #include "craze/engine/cracked_surface.h"
+#include "craze/error.h"
 #include "craze/io/gltf/scene/uvs/uv_sets.h"
 #include "craze/maps.h"
 #include "craze/mesh/atlas/uv_atlas.h"
@@ -217,6 +218,14 @@ bool SceneUvs::is_first_alone() const {
          std::all_of(set.begin(), set.end(), [](const auto& one) { return one.second == 0; });
 }
 
+void check_first_uvs(const GltfDocument& document) {
+  const UvSet first = uv_set(document, 0);
+  if (std::all_of(first.has.begin(), first.has.end(), [](char has) { return has != 0; })) return;
+  throw Error(
+      ErrorKind::request, "cannot bake maps", "uv",
+      "the scene has parts with no UVs, which can be made with mesh.output = \"asset\" alone");
+}
+
 SceneUvs scene_uvs(const Result& result, const std::shared_ptr<const GltfDocument>& document,
                    bool for_files, const Context& context) {
   const CrackedSurface& state = result.state();
@@ -231,6 +240,7 @@ SceneUvs scene_uvs(const Result& result, const std::shared_ptr<const GltfDocumen
   }
   if (!state.surface_origin || state.surface_origin->face.empty()) {
     check_uvs(uvs.surface);
+    uvs.is_remeshed = true;
     return uvs;
   }
   const SurfaceOrigin& origin = *state.surface_origin;

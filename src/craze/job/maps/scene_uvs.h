@@ -26,11 +26,16 @@ struct SceneUvs {
   std::set<std::int32_t> uncracked;  ///< materials that no crack touches, which stay as they are
   /// 3 #F of `surface`, by number: the UV sets that the file had.
   std::vector<std::vector<Vec2>> own;
-  std::string warning;  ///< of sets that were made; empty: none were
+  bool is_remeshed = false;  ///< the surface has the first set alone
+  std::string warning;       ///< of sets that were made; empty: none were
 
   /// Whether all lie in the first set, as the file has it.
   bool is_first_alone() const;
 };
+
+/// Throws Error(request) where a part of the surface has no first set, which is all that a remeshed
+/// one has.
+void check_first_uvs(const GltfDocument& document);
 
 /// `document` came with the input of `result`. for_files: of every material, cracked or not, and
 /// UDIM tiles may lie side by side. Where the surface was remeshed its one set is all there is.
