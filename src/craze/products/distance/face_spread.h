@@ -7,11 +7,10 @@
 #include <numeric>
 #include <queue>
 #include <tuple>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
-#include "craze/base/random.h"
+#include "craze/base/number_set.h"
 #include "craze/context.h"
 #include "craze/mesh/triangle_mesh.h"
 
@@ -79,10 +78,6 @@ class FaceSpread {
       return std::tie(p.distance, p.face, p.number) > std::tie(q.distance, q.face, q.number);
     }
   };
-  struct Scattered {
-    std::size_t operator()(std::uint64_t x) const { return static_cast<std::size_t>(hash_bits(x)); }
-  };
-
   std::uint64_t key(std::int32_t face, const Carried& thing) const {
     return static_cast<std::uint64_t>(face) << 32 |
            static_cast<std::uint32_t>(rules_.number(thing));
@@ -90,7 +85,7 @@ class FaceSpread {
 
   bool takes(std::int32_t face, double distance, const Carried& thing) const {
     return rules_.matters(face, distance, covered_[face], thing) &&
-           accepted_.count(key(face, thing)) == 0;
+           !accepted_.contains(key(face, thing));
   }
 
   void send(double distance, std::int32_t face, const Traveller& traveller) {
@@ -128,7 +123,7 @@ class FaceSpread {
   std::vector<Traveller> pool_;     // of what is on its way
   std::vector<std::int32_t> free_;  // slots of the pool
   std::int64_t sent_ = 0;
-  std::unordered_set<std::uint64_t, Scattered> accepted_;  // by face and thing
+  NumberSet accepted_;  // by face and thing
   std::vector<double> covered_;
   std::priority_queue<Arrival, std::vector<Arrival>, Later> queue_;
 };
