@@ -90,6 +90,19 @@ TEST_F(Errors, ZeroStressEverywhereIsEquilibriumAndIsSaid) {
             "stress.uniform, an impact or a painted stress that is not\n");
 }
 
+TEST_F(Errors, TooLittleStressForACrackIsSaid) {
+  const std::vector<std::string> crack{"crack", "shape:plate?n=4", "-o", "a.ply"};
+  std::vector<std::string> bare = crack, few = crack, preset = crack;
+  bare.insert(bare.end(), {"--set", "stress.uniform=0.01"});
+  EXPECT_EQ(run(bare).err,
+            "craze: warning: no crack opened (stress): it is too low for the strength; start from "
+            "a preset, or give more of it or of evolution.max_load\n");
+  few.insert(few.end(), {"--set", "stress.uniform=0.01", "--max-cracks", "0"});
+  EXPECT_EQ(run(few).err, "");
+  preset.insert(preset.end(), {"--preset", "mud", "--set", "layer.spacing=0.2"});
+  EXPECT_EQ(run(preset).err.find("no crack opened"), std::string::npos);
+}
+
 TEST_F(Errors, AnEnvironmentNeedsAPicture) {
   expect_error({"crack", "missing.obj", "-o", "a.glb", "--environment", "sky.hdr"}, 2,
                "no picture is asked for");

@@ -85,8 +85,15 @@ void add_run_warnings(Report& report, const LastCycle& last, const Simulation& s
         report.carried.lost_pieces, report.carried.lost_length,
         report.carried.lost_length + report.cracks.length));
   }
+  const bool ended = last.reason == StopReason::equilibrium || last.reason == StopReason::max_load;
+  if (ended && report.cracks.segments == 0 && !last.unstressed && !last.unloaded) {
+    report.warnings.push_back(
+        "no crack opened (stress): it is too low for the strength; start from a preset, or give "
+        "more of it or of evolution.max_load");
+    return;
+  }
   const bool whole = !report.recipe.simulation.where.is_given() && !last.staggered;
-  if (whole && (last.reason == StopReason::equilibrium || last.reason == StopReason::max_load)) {
+  if (whole && ended) {
     if (const auto warning = spacing_warning(report.recipe.simulation.layer, simulation.mesh(),
                                              report.cracks.fragments)) {
       report.warnings.push_back(*warning);
