@@ -185,6 +185,28 @@ TEST(Chips, OfSolidsLeaveThemClosedAndApart) {
   }
 }
 
+TEST(Chips, TakeLittleOfSolidsWhoseCellsAreSmall) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Recipe recipe = read_preset("mud");
+    recipe.simulation.layer.relative_spacing = 0.12;
+    recipe.simulation.seed = seed;
+    Input input;
+    input.surface = std::make_shared<const SurfaceMesh>(make_shape("sphere?n=14"));
+    const Result result = crack(std::move(input), recipe, {}, {});
+    PostParameters post = chipped_post(0);
+    post.gap = 0.05;
+    post.thickness = 0.2;
+    double volume[2] = {0, 0};
+    for (const int chipped : {0, 1}) {
+      post.chipping = 0.3 * chipped;
+      const SurfaceMesh mesh = Opening(result, post, {}).mesh();
+      for (const SurfaceMesh& s : fragments(mesh)) volume[chipped] += test::volume_of(s);
+    }
+    EXPECT_LT(volume[1], volume[0]);
+    EXPECT_GT(volume[1], 0.995 * volume[0]) << seed;
+  }
+}
+
 TEST(Chips, ComeWithTheGrowthOfTheirCracks) {
   const Result result = test::cracked_shape("plate?n=12", "mud", 0.25);
   const Opening opening(result, chipped_post(0.5), {});

@@ -40,6 +40,7 @@ class DepthLimiter {
         context_(context),
         triangles_(all_triangles(shape)),
         crossings_(triangles_, 4 * triangles_.size()),
+        whole_(shape.whole()),
         on_site_(shape.sites.vertex.size()) {
     for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) {
       if (shape.sites.site_of[v] >= 0) on_site_[shape.sites.site_of[v]].push_back(v);
@@ -97,10 +98,10 @@ class DepthLimiter {
   }
 
   /// Whether the triangle below a face looks the other way than the face, or an edge of it points
-  /// back.
+  /// back; without chips, which an inner surface does not follow.
   bool is_turned(std::int32_t t, const std::vector<Vec3>& positions) const {
     const bool is_core = t >= mesh_.face_count() + shape_.topology.core_begin;
-    const std::vector<Vec3>& tops = is_core ? mesh_.positions() : positions;
+    const std::vector<Vec3>& tops = is_core ? mesh_.positions() : whole_;
     const Triangle& below = triangles_[t];
     std::array<Vec3, 3> top, bottom;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -162,6 +163,7 @@ class DepthLimiter {
   const Context& context_;
   std::vector<Triangle> triangles_;
   SelfIntersections crossings_;                     // of triangles_
+  std::vector<Vec3> whole_;                         // #V
   std::vector<std::vector<std::int32_t>> on_site_;  // the vertices of each site
 };
 

@@ -5,12 +5,18 @@
 
 namespace craze {
 
+std::vector<Vec3> SolidShape::whole() const {
+  std::vector<Vec3> whole = opened;
+  for (std::size_t v = 0; v < chipped.size(); ++v) whole[v] -= chipped[v];
+  return whole;
+}
+
 std::vector<Vec3> SolidShape::positions(const std::vector<double>& depth) const {
   constexpr double of_depth = 0.5;
-  std::vector<Vec3> positions = opened, whole = opened;
+  const std::vector<Vec3> whole = this->whole();
+  std::vector<Vec3> positions = opened;
   for (std::size_t v = 0; v < chipped.size(); ++v) {
     const double by = chipped[v].norm(), most = of_depth * depth[v];
-    whole[v] -= chipped[v];
     if (by > most) positions[v] = whole[v] + most / by * chipped[v];
   }
   for (std::size_t i = 0; i < topology.bottoms.size(); ++i) {

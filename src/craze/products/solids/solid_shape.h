@@ -27,6 +27,8 @@ struct SolidShape {
   /// depth, and not the inner one.
   const std::vector<Vec3>& chipped;
 
+  /// #V: where its vertices are without their chips.
+  std::vector<Vec3> whole() const;
   /// Of the mesh, then of the bottoms. `depth` (#V): how thick, the same on a site.
   std::vector<Vec3> positions(const std::vector<double>& depth) const;
 };
