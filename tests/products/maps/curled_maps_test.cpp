@@ -1,6 +1,7 @@
 // post.curl in maps: lifted rims as heights and normals.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "craze/engine.h"
@@ -138,6 +139,30 @@ TEST(CurledMaps, LiftAsAnOpenedMeshDoes) {
   }
   EXPECT_GT(lifts, 0);
   EXPECT_LT(apart, 0.15 * lifts);
+}
+
+TEST(CurledMaps, AreNoHigherNorDeeperThanTheSurfaceIsLarge) {
+  const double diagonal = std::sqrt(2);
+  for (const double huge : {1e3, 1e300, -1e300}) {
+    MapOptions options = curled(64, {MapKind::height, MapKind::normal, MapKind::occlusion});
+    options.post.curl = huge;
+    options.post.wall = std::abs(huge);
+    std::vector<Map> made;
+    MapsInMemory sink(made);
+    const std::vector<std::string> warnings =
+        bake_surface(map_surface(halved_plate(8), options.post, {}), options, sink, {});
+    EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                            [](const std::string& w) {
+                              return w.find("as much as the surface is large") != std::string::npos;
+                            }),
+              2);
+    for (const Map& map : made) {
+      for (const float value : map.values) {
+        ASSERT_TRUE(std::isfinite(value));
+        ASSERT_LE(std::abs(value), 4 * diagonal);
+      }
+    }
+  }
 }
 
 TEST(CurledMaps, OfAFileAreThoseOfTheRun) {

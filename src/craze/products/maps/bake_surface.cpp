@@ -170,7 +170,7 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
     curvature = maps.is_tile() ? std::vector<double>(maps.surface.positions.size(), 0)
                                : mean_curvature(maps.surface, context);
   }
-  const MapLift lift(maps, faces, sizes, options.post.curl);
+  const MapLift lift(maps, faces, sizes);
   const Ranges ranges(maps, sizes, lift, grooves.farthest(), curvature);
   const BakeScene scene{maps, faces, sizes, grooves, lift, islands, curvature, options};
   const auto of = static_cast<double>(layout.sheets.size());

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "craze/engine/width_by_age.h"
 #include "craze/mesh/bounding_diagonal.h"
 
@@ -39,6 +42,28 @@ void limit_widths(GrooveSizes& sizes, double distance) {
       distance));
 }
 
+/// Nothing is deeper or lifted higher than the surface is large: more shows nothing more.
+void limit_heights(GrooveSizes& sizes, double diagonal) {
+  double widest = 0;
+  for (const std::array<double, 2>& half : sizes.half_width) {
+    widest = std::max({widest, half[0], half[1]});
+  }
+  if (sizes.wall > diagonal) {
+    sizes.wall = diagonal;
+    sizes.warnings.push_back(fmt::format(
+        "cracks in maps are {:.3g} deep, as much as the surface is large: post.wall asks for more",
+        diagonal));
+  }
+  const double lift = std::abs(sizes.curl) * widest;
+  if (lift > diagonal) {
+    sizes.curl = std::copysign(diagonal / widest, sizes.curl);
+    sizes.warnings.push_back(fmt::format(
+        "rims in maps are lifted by {:.3g}, as much as the surface is large: post.curl asks for "
+        "more",
+        diagonal));
+  }
+}
+
 }  // namespace
 
 std::vector<std::array<double, 2>> half_widths(const std::vector<MapCrack>& cracks, double gap,
@@ -58,6 +83,7 @@ std::vector<std::array<double, 2>> half_widths(const std::vector<MapCrack>& crac
 GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post) {
   GrooveSizes sizes;
   sizes.wall = post.wall;
+  sizes.curl = post.curl;
   const double diagonal =
       maps.diagonal > 0 ? maps.diagonal : bounding_diagonal(maps.surface.positions);
   const double gap_width = post.gap_width;
@@ -75,6 +101,7 @@ GrooveSizes groove_sizes(const MapSurface& maps, const PostParameters& post) {
   }
   const double distance = mean_crack_distance(maps);
   limit_widths(sizes, distance);
+  limit_heights(sizes, diagonal);
   if (post.chipping > 0) {
     sizes.chips =
         place_chips(maps.cracks, sizes.half_width, chip_options(post, distance, maps.seed));

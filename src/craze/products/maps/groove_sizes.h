@@ -20,6 +20,7 @@ struct GrooveSizes {
   /// hairline; by post.late_width less of it.
   std::vector<std::array<double, 2>> half_width;
   double wall = 0;  ///< depth; 0: as deep as the groove is wide at each place
+  double curl = 0;  ///< lift of the rims, over half the width
   Chips chips;      ///< bites out of their rims
   /// What could not be as asked, one sentence each.
   std::vector<std::string> warnings;

@@ -109,6 +109,26 @@ void flatten_chips(const std::vector<Vec3>& positions, const std::vector<double>
   }
 }
 
+/// Nothing opens, is lifted or goes down farther than the surface is large: more shows nothing
+/// more.
+void bound_opening(const TriangleMesh& mesh, const std::vector<Vec3>& displacement,
+                   OpeningOptions& options, std::vector<std::string>& warnings) {
+  const double most = bounding_diagonal(mesh.positions());
+  double farthest = 0;
+  for (const Vec3& u : displacement) farthest = std::max(farthest, u.norm());
+  const auto bound = [&](double& value, double of_one, const char* key) {
+    if (!(std::isfinite(value) && std::abs(value) * of_one > most)) return;
+    value = std::copysign(most / of_one, value);
+    warnings.push_back(
+        fmt::format("{} asks for more than the surface is large, {:.3g}: {:.3g} is "
+                    "taken",
+                    key, most, value));
+  };
+  bound(options.gap, farthest, "post.gap");
+  bound(options.curl, options.gap * farthest, "post.curl");
+  bound(options.wall, 1, "post.wall");
+}
+
 std::vector<std::string> opening_warnings(const OpenedMesh& opened, const TriangleMesh& mesh) {
   std::vector<std::string> warnings;
   if (opened.limited_vertices > 0) {
@@ -188,6 +208,7 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
             : 0;
   }
   options.curl = post.curl;
+  bound_opening(mesh, displacement, options, surface.warnings);
   surface.opened = open_cracks(mesh, displacement, options, context);
   for (std::string& warning : opening_warnings(surface.opened, mesh)) {
     surface.warnings.push_back(std::move(warning));

@@ -15,8 +15,7 @@ Vec3 lifted(const Vec2& p) {
 }
 
 /// #V of the cut mesh.
-std::vector<double> lift_of_vertices(const MapSurface& maps, const GrooveSizes& sizes,
-                                     double curl) {
+std::vector<double> lift_of_vertices(const MapSurface& maps, const GrooveSizes& sizes) {
   const TriangleMesh& cut = *maps.cut;
   const auto count = static_cast<std::size_t>(cut.vertex_count());
   std::vector<double> half_at_root(count, -1);
@@ -33,7 +32,7 @@ std::vector<double> lift_of_vertices(const MapSurface& maps, const GrooveSizes& 
     const double half = half_at_root[cut.root(static_cast<std::int32_t>(v))];
     if (half < 0) continue;
     on_crack[v] = 1;
-    lift[v] = curl * half;
+    lift[v] = sizes.curl * half;
   }
   return extend_over_surface(cut, on_crack, lift, curl_length(mean_crack_distance(maps)));
 }
@@ -63,11 +62,10 @@ std::vector<Vec3> slopes_of(const TriangleMesh& mesh, const std::vector<double>&
 
 }  // namespace
 
-MapLift::MapLift(const MapSurface& maps, const MapFaces& faces, const GrooveSizes& sizes,
-                 double curl) {
-  if (curl == 0 || !maps.cut || maps.cracks.empty()) return;
+MapLift::MapLift(const MapSurface& maps, const MapFaces& faces, const GrooveSizes& sizes) {
+  if (sizes.curl == 0 || !maps.cut || maps.cracks.empty()) return;
   const TriangleMesh& cut = *maps.cut;
-  const std::vector<double> lift = lift_of_vertices(maps, sizes, curl);
+  const std::vector<double> lift = lift_of_vertices(maps, sizes);
   const std::vector<Vec3> slopes = slopes_of(cut, lift);
   patches_.resize(maps.pieces.size());
   for (std::size_t i = 0; i < patches_.size(); ++i) {

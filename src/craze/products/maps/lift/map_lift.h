@@ -15,8 +15,8 @@ namespace craze {
 /// on the two sides of a crack; the same on both sides of a seam of the UVs.
 class MapLift {
  public:
-  /// None where `curl` is 0 or the surface is not known cut.
-  MapLift(const MapSurface& maps, const MapFaces& faces, const GrooveSizes& sizes, double curl);
+  /// None where the curl is 0 or the surface is not known cut.
+  MapLift(const MapSurface& maps, const MapFaces& faces, const GrooveSizes& sizes);
 
   /// At the point p of the plane of the piece's face, inside it or some texels outside.
   double at(std::int32_t piece, const Vec2& p) const;
