@@ -116,7 +116,9 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   const OpenedSurface shown = opened_surface(result, std::move(cut), std::move(times),
                                              result.report().recipe.post, context);
   report.output = count_mesh(shown.mesh);
-  report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
+  if (shows_mesh(request)) {
+    report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());
+  }
   write_mesh_and_growth(request, shown, result, source, picture, report, context);
   context.check();
   if (!request.lines.empty()) {
