@@ -56,6 +56,7 @@ struct PostParameters {
   double relative_roughness = 0;    ///< that over the usual length, where roughness is 0
   double roughness_exponent = 0.8;  ///< Hurst exponent of that
   Length roughness_step = 0;        ///< between points of a rough line; 0: automatic
+  double face_roughness = 0;        ///< of broken faces in depth, over that of lines
   double chipping = 0;              ///< share of the rims of open cracks that is chipped
   Length chip_size = 0;  ///< half the length of the largest chips along a rim; 0: automatic
   ShutCracks lines = ShutCracks::automatic;

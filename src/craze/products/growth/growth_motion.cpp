@@ -127,7 +127,7 @@ Vec3 goal_of(const std::vector<std::int32_t>& group,
 
 GrowthMotion::GrowthMotion(const TriangleMesh& mesh, const CrackSites& sites,
                            const CrackSchedule& schedule, const OpenedMesh& opened)
-    : shut_(opened.mesh.positions), drag_(mesh, sites) {
+    : shut_(opened.mesh.positions), wall_points_(opened.wall_points), drag_(mesh, sites) {
   std::copy(mesh.positions().begin(), mesh.positions().end(), shut_.begin());
   add_bottoms(mesh, sites, opened);
   std::vector<Vec3> whole(mesh.positions().size());
@@ -146,6 +146,7 @@ GrowthMotion::GrowthMotion(const TriangleMesh& mesh, const CrackSites& sites,
 
 void GrowthMotion::add_bottoms(const TriangleMesh& mesh, const CrackSites& sites,
                                const OpenedMesh& opened) {
+  goes_down_ = !opened.solid;
   if (opened.solid) {
     for (std::int32_t b = mesh.vertex_count(); b < opened.solid->core_vertex; ++b) {
       const std::int32_t top = opened.vertex_of[b];
@@ -160,7 +161,8 @@ void GrowthMotion::add_bottoms(const TriangleMesh& mesh, const CrackSites& sites
       if (sites.site_of[v] >= 0) at_border[sites.site_of[v]] = 1;
     }
   }
-  for (std::int32_t b = mesh.vertex_count(); b < static_cast<std::int32_t>(shut_.size()); ++b) {
+  const auto end = static_cast<std::int32_t>(shut_.size() - wall_points_.size());
+  for (std::int32_t b = mesh.vertex_count(); b < end; ++b) {
     const std::int32_t top = opened.vertex_of[b], site = sites.site_of[top];
     if (site < 0 || at_border[site]) continue;
     bottoms_.push_back({b, top, opened.mesh.positions[b] - mesh.position(top)});
@@ -223,6 +225,11 @@ std::vector<Vec3> GrowthMotion::positions(double time) const {
     const double open = 1 - slack[bottom.top];
     positions[bottom.vertex] =
         shut_[bottom.top] + open * bottom.down + (1 - open) * move[bottom.top];
+  }
+  std::size_t v = shut_.size() - wall_points_.size();
+  for (const WallPoint& p : wall_points_) {
+    const double open = goes_down_ ? 1 - slack[p.top] : 1;
+    positions[v++] = p.between(positions) + open * p.aside;
   }
   return positions;
 }

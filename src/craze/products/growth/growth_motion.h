@@ -49,6 +49,8 @@ class GrowthMotion {
   std::vector<double> arrival_;  // #V of the cut mesh
   std::vector<Bottom> bottoms_;
   std::vector<Bottom> inner_;  // of solids: always as far below their tops
+  std::vector<WallPoint> wall_points_;
+  bool goes_down_ = false;  // walls do, as cracks open
   Drag drag_;
 };
 

@@ -8,10 +8,13 @@
 #include <utility>
 
 #include "craze/engine/cracked_surface.h"
+#include "craze/engine/roughness/crack_chains.h"
+#include "craze/engine/run_outcome.h"
 #include "craze/error.h"
 #include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/transfer_attributes.h"
 #include "craze/products/chips/chipped_mesh.h"
+#include "craze/products/faces/rough_faces.h"
 #include "craze/products/maps/groove_sizes.h"
 #include "craze/products/maps/map_cracks.h"
 #include "craze/products/opening/aged_displacement.h"
@@ -107,6 +110,28 @@ void flatten_chips(const std::vector<Vec3>& positions, const std::vector<double>
       if (normal.squaredNorm() > 0) cut.corner_normals[3 * f + k] = normal.stableNormalized();
     }
   }
+}
+
+/// post.face_roughness, of walls that are there.
+std::vector<std::string> roughen_faces(const CrackedSurface& state, const TriangleMesh& mesh,
+                                       PostParameters post, std::uint64_t seed, OpenedMesh& opened,
+                                       const Context& context) {
+  if (!(post.face_roughness > 0) || state.network.edges.empty()) return {};
+  if (!(post.wall > 0 || post.thickness > 0)) {
+    return {
+        "there are no faces to be rough (post.face_roughness): give post.wall or "
+        "post.thickness"};
+  }
+  resolve_roughness(post, state.network);
+  if (!(post.roughness > 0)) {
+    return {
+        "broken faces are flat: post.face_roughness is a share of the roughness of lines, "
+        "which is 0 (post.roughness, post.relative_roughness)"};
+  }
+  const double usual = usual_length(crack_chains(state.network));
+  const FaceOptions options{post.face_roughness * std::min<double>(post.roughness, usual), usual,
+                            post.roughness_exponent, post.roughness_step, seed};
+  return make_faces_rough(mesh, crack_sites(mesh), options, opened, context);
 }
 
 /// Nothing opens, is lifted or goes down farther than the surface is large: more shows nothing
@@ -219,6 +244,10 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
         make_solid(mesh, crack_sites(mesh), outwards(state, surface.refined.get()),
                    {post.thickness, post.wedge, post.core}, surface.opened, context);
     surface.warnings.insert(surface.warnings.end(), warnings.begin(), warnings.end());
+  }
+  for (std::string& warning : roughen_faces(
+           state, mesh, post, result.report().recipe.simulation.seed, surface.opened, context)) {
+    surface.warnings.push_back(std::move(warning));
   }
   context.check();
   context.report({"open", 1});

@@ -30,6 +30,18 @@ struct SolidParts {
   std::vector<std::int32_t> core;  ///< of each face of cores: of which, from 0
 };
 
+/// A point of a wall in rows (faces/rough_faces.h): on the way between a top and a bottom of the
+/// wall, moved aside.
+struct WallPoint {
+  std::int32_t top, bottom;  ///< vertices of the opened mesh
+  double share;              ///< of the way
+  Vec3 aside;
+
+  Vec3 between(const std::vector<Vec3>& positions) const {
+    return positions[top] + share * (positions[bottom] - positions[top]);
+  }
+};
+
 /// The cut mesh, opened. Attributes are for the caller to carry over by the two maps.
 struct OpenedMesh {
   /// Positions, triangles, face_materials: 0 = "crack_wall" for side walls, −1 otherwise. The faces
@@ -40,6 +52,7 @@ struct OpenedMesh {
   std::vector<std::int32_t> beside;     ///< #F: that face, or the one that a wall hangs from
   std::vector<Vec3> chipped;            ///< #V of the simulation mesh: moved by chips; empty: none
   std::optional<SolidParts> solid;      ///< none: a surface
+  std::vector<WallPoint> wall_points;   ///< the last vertices; none: walls are flat
   /// Where the surface would have passed through itself it was opened less.
   std::int32_t limited_vertices = 0;  ///< of the simulation mesh
   double least_share = 1;             ///< of the opening asked for
