@@ -290,6 +290,23 @@ TEST(RoughFaces, SayWhatTheyLack) {
   EXPECT_EQ(warned(faces_of(smooth, 0.05, 0.03, 0, 0)), 0);
 }
 
+TEST(RoughFaces, BelowChippedRimsAreSoundToo) {
+  for (const char* shape : {"plate?n=20&jitter=0.3", "sphere?n=14"}) {
+    const Result run = rough_run(shape, 0.2);
+    for (const double thickness : {0.0, 0.05}) {
+      PostParameters post = faces_of(run, 0.05, 0.03, thickness);
+      post.chipping = 0.4;
+      const SurfaceMesh mesh = Opening(run, post, {}).mesh();
+      EXPECT_TRUE(self_intersections(mesh.positions, mesh.triangles).empty());
+      if (thickness == 0) continue;
+      for (const SurfaceMesh& solid : fragments(mesh)) {
+        EXPECT_TRUE(test::is_closed(solid));
+        EXPECT_GT(test::volume_of(solid), 0);
+      }
+    }
+  }
+}
+
 TEST(RoughFaces, AreHeldBackWhereTheyWouldCross) {
   const Result run = rough_run("sphere?n=14", 0.2, 0.3);
   for (const double roughness : {1.0, 1e6, 1e300}) {
