@@ -134,23 +134,24 @@ std::vector<std::string> roughen_faces(const CrackedSurface& state, const Triang
   return make_faces_rough(mesh, crack_sites(mesh), options, opened, context);
 }
 
-/// Nothing opens, is lifted or goes down farther than the surface is large: more shows nothing
-/// more.
+/// Nothing is lifted or goes down farther than the surface is large: more shows nothing more. Of
+/// openings that leave nothing of the pieces the limit (opening_limit.h) says so.
 void bound_opening(const TriangleMesh& mesh, const std::vector<Vec3>& displacement,
                    OpeningOptions& options, std::vector<std::string>& warnings) {
+  constexpr double widest = 1e6;  // in diagonals
   const double most = bounding_diagonal(mesh.positions());
   double farthest = 0;
   for (const Vec3& u : displacement) farthest = std::max(farthest, u.norm());
   const auto bound = [&](double& value, double of_one, const char* key) {
     if (!(std::isfinite(value) && std::abs(value) * of_one > most)) return;
     value = std::copysign(most / of_one, value);
-    warnings.push_back(
-        fmt::format("{} asks for more than the surface is large, {:.3g}: {:.3g} is "
-                    "taken",
-                    key, most, value));
+    warnings.push_back(fmt::format(
+        "{} asks for more than the surface is large, {:.3g}: {:.3g} is taken", key, most, value));
   };
-  bound(options.gap, farthest, "post.gap");
-  bound(options.curl, options.gap * farthest, "post.curl");
+  if (std::isfinite(options.gap) && options.gap * farthest > widest * most) {
+    options.gap = widest * most / farthest;
+  }
+  bound(options.curl, std::min(options.gap * farthest, most), "post.curl");
   bound(options.wall, 1, "post.wall");
 }
 
