@@ -179,5 +179,16 @@ TEST_F(Growth, AnOpeningThatHasNoRoomIsWarnedOf) {
   EXPECT_TRUE(nlohmann::json::parse(read_text(file("r.json")))["warnings"].empty());
 }
 
+TEST_F(Growth, AnOpeningIsNotSpokenOfWhereMapsAloneAreAskedFor) {
+  const std::vector<std::string> maps =
+      mud + std::vector<std::string>{"--set", "post.chipping=0.5", "--maps", "m", "--map",
+                                     "mask",  "--map-size",        "64"};
+  const CommandResult alone = run(maps);
+  EXPECT_EQ(alone.code, 0);
+  EXPECT_EQ(alone.err, "");
+  const CommandResult both = run(maps + std::vector<std::string>{"-o", "a.ply"});
+  EXPECT_NE(both.err.find("no rims to chip"), std::string::npos) << both.err;
+}
+
 }  // namespace
 }  // namespace craze
