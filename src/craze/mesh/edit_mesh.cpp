@@ -13,6 +13,10 @@ EditMesh::EditMesh(const TriangleMesh& mesh, std::vector<char> marks)
   first_.reserve(positions_.size());
   for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) opposite_.push_back(mesh.opposite(h));
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) first_.push_back(mesh.first_halfedge(v));
+  on_line_.resize(positions_.size(), 0);
+  for (std::int32_t h = 0; h < halfedge_slots(); ++h) {
+    if (marks_[h] != 0) on_line_[from(h)] = on_line_[to(h)] = 1;
+  }
 }
 
 bool EditMesh::are_neighbours(std::int32_t v, std::int32_t w) const {
@@ -21,7 +25,7 @@ bool EditMesh::are_neighbours(std::int32_t v, std::int32_t w) const {
   return found;
 }
 
-int EditMesh::count_marked(std::int32_t v) const {
+int EditMesh::count_marked_around(std::int32_t v) const {
   int count = 0;
   for_each_outgoing(v, [&](std::int32_t h) {
     count += marks_[h] != 0;
@@ -49,6 +53,7 @@ std::int32_t EditMesh::split(std::int32_t h, const Vec3& p) {
   const std::int32_t o = opposite_[h], x = vertex_count();
   positions_.push_back(p);
   first_.push_back(-1);
+  on_line_.push_back(marks_[h] != 0 ? 1 : 0);
   // g = (q0 → q) becomes q0 → x; the new face is (x, q, apex). Returns x → q.
   const auto halve = [&](std::int32_t g) {
     const std::int32_t f = g / 3, side = next(g), q = to(g), top = apex(g);

@@ -43,6 +43,15 @@ class EditMesh {
   /// One of the two sides stands for the edge.
   bool is_edge(std::int32_t h) const { return is_face(h / 3) && opposite_[h] < h; }
 
+  /// Asks for the face beyond h, or for the corners of that and its own, some time before.
+  void prefetch_face_beyond(std::int32_t h) const {
+    if (opposite_[h] >= 0) __builtin_prefetch(&triangles_[opposite_[h] / 3]);
+  }
+  void prefetch_corners(std::int32_t h) const {
+    for (const std::int32_t v : triangles_[h / 3]) prefetch_position(v);
+    if (opposite_[h] >= 0) prefetch_position(apex(opposite_[h]));
+  }
+
   /// The halfedges leaving v, one per face of its star, counter-clockwise.
   template <class Visit>
   void for_each_outgoing(std::int32_t v, Visit&& visit) const {
@@ -56,7 +65,7 @@ class EditMesh {
   bool is_border_vertex(std::int32_t v) const { return opposite_[first_[v]] < 0; }
   bool are_neighbours(std::int32_t v, std::int32_t w) const;
   /// How many marked edges meet at v.
-  int count_marked(std::int32_t v) const;
+  int count_marked(std::int32_t v) const { return on_line_[v] ? count_marked_around(v) : 0; }
 
   /// Puts a vertex at p on edge h; returns it. h then runs from(h) → new vertex.
   std::int32_t split(std::int32_t h, const Vec3& p);
@@ -75,6 +84,13 @@ class EditMesh {
   std::vector<Triangle> compact(std::vector<std::int32_t>& kept) const;
 
  private:
+  int count_marked_around(std::int32_t v) const;
+  void prefetch_position(std::int32_t v) const {
+    if (v < 0) return;  // of a removed face
+    const char* begin = reinterpret_cast<const char*>(&positions_[v]);
+    __builtin_prefetch(begin);
+    __builtin_prefetch(begin + sizeof(Vec3) - 1);
+  }
   void link(std::int32_t g, std::int32_t h);
   void remove_face_of(std::int32_t h);
   void refresh_first(std::int32_t v, std::int32_t h);
@@ -84,6 +100,7 @@ class EditMesh {
   std::vector<std::int32_t> opposite_;  // 3 #F
   std::vector<char> marks_;             // 3 #F
   std::vector<std::int32_t> first_;     // #V: starts the fan; −1: removed
+  std::vector<char> on_line_;           // #V: whether marked edges may meet there
   Period period_;
 };
 

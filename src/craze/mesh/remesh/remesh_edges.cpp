@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <queue>
 #include <tuple>
 
@@ -76,6 +77,7 @@ void collapse(RemeshSurface& s, std::int32_t h) {
     s.line_error[b] = std::max(s.line_error[a], s.line_error[b]) + distance_to_new_line(s, h);
   }
   s.mesh.collapse(h);
+  s.look_around_again(b);
 }
 
 bool wants_flip(const RemeshSurface& s, std::int32_t h) {
@@ -152,27 +154,29 @@ void collapse_short_edges(RemeshSurface& s) {
 }
 
 void flip_edges(RemeshSurface& s) {
-  // An edge that wants no flip wants none until a face beside it changes.
-  std::vector<char> unseen(s.mesh.halfedge_slots(), 1);
+  // Faces beside an edge, and their corners, are asked for so many halfedges early.
+  constexpr std::int32_t faces_ahead = 24, corners_ahead = 12;
+  const std::int32_t halfedges = s.mesh.halfedge_slots();
+  const auto is_ahead = [&](std::int32_t h) { return h < halfedges && s.unseen[h] != 0; };
   for (int sweep = 0, flips = 1; sweep < 12 && flips > 0; ++sweep) {
     flips = 0;
-    for (std::int32_t h = 0; h < s.mesh.halfedge_slots(); ++h) {
+    for (std::int32_t h = 0; h < halfedges; ++h) {
       s.step();
-      if (!unseen[h] || !s.mesh.is_edge(h)) continue;
-      if (!wants_flip(s, h)) {
-        unseen[h] = 0;
+      const void* next = std::memchr(&s.unseen[h], 1, halfedges - h);
+      if (next == nullptr) break;
+      h = static_cast<std::int32_t>(static_cast<const char*>(next) - s.unseen.data());
+      if (is_ahead(h + faces_ahead)) s.mesh.prefetch_face_beyond(h + faces_ahead);
+      if (is_ahead(h + corners_ahead)) s.mesh.prefetch_corners(h + corners_ahead);
+      // Of an edge's two sides one stands for it until the faces beside it change.
+      if (!s.mesh.is_edge(h) || !wants_flip(s, h)) {
+        s.unseen[h] = 0;
         continue;
       }
       if (!s.mesh.can_flip(h)) continue;
       const std::int32_t faces[] = {h / 3, s.mesh.opposite(h) / 3};
       s.mesh.flip(h);
       ++flips;
-      for (const std::int32_t f : faces) {
-        for (std::int32_t g = 3 * f; g < 3 * f + 3; ++g) {
-          unseen[g] = 1;
-          if (s.mesh.opposite(g) >= 0) unseen[s.mesh.opposite(g)] = 1;
-        }
-      }
+      for (const std::int32_t f : faces) s.look_at_again(f);
     }
   }
 }

@@ -36,7 +36,8 @@ RemeshSurface::RemeshSurface(const SurfaceMesh& input_mesh, const TriangleMesh& 
                     [&](std::int32_t h) { return topology.opposite(h); })),
       tree(input.positions, input.triangles, patch),
       walk(topology, tree),
-      mesh(topology, marks) {
+      mesh(topology, marks),
+      unseen(mesh.halfedge_slots(), 1) {
   refuse_too_many(topology);
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     add_vertex(lengths[v], mesh.is_vertex(v) ? topology.first_halfedge(v) / 3 : -1);
@@ -80,7 +81,20 @@ std::int32_t RemeshSurface::split(std::int32_t h, const Vec3& at) {
   const std::int32_t x = mesh.split(h, at);
   add_vertex(0.5 * (length[a] + length[b]), near[a]);
   line_error.back() = std::max(line_error[a], line_error[b]);
+  unseen.resize(mesh.halfedge_slots(), 1);
+  look_around_again(x);
   return x;
+}
+
+void RemeshSurface::look_around_again(std::int32_t v) {
+  mesh.for_each_outgoing(v, [&](std::int32_t h) { look_at_again(h / 3); });
+}
+
+void RemeshSurface::look_at_again(std::int32_t f) {
+  for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
+    unseen[h] = 1;
+    if (mesh.opposite(h) >= 0) unseen[mesh.opposite(h)] = 1;
+  }
 }
 
 }  // namespace craze

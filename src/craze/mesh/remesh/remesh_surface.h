@@ -39,6 +39,11 @@ struct RemeshSurface {
   Vec3 face_cross(std::int32_t f) const;
   /// Splits an edge at a point; returns the new vertex.
   std::int32_t split(std::int32_t h, const Vec3& at);
+  /// The faces around a vertex have changed: their edges may want a flip.
+  void look_around_again(std::int32_t v);
+  /// The same of one face, and of all.
+  void look_at_again(std::int32_t f);
+  void look_everywhere_again() { unseen.assign(mesh.halfedge_slots(), 1); }
 
   const SurfaceMesh& input;
   const RemeshOptions& options;
@@ -55,6 +60,9 @@ struct RemeshSurface {
   std::vector<double> wanted;      ///< and with its random variation
   std::vector<std::int32_t> near;  ///< #V: an input face near the vertex
   std::vector<double> line_error;  ///< #V: how far thinning may have moved its marked line
+  /// 3 #F: 1 unless the halfedge's edge was found to want no flip since the faces beside it
+  /// changed.
+  std::vector<char> unseen;
 
  private:
   void refuse_too_many(const TriangleMesh& topology) const;

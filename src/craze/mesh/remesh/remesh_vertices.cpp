@@ -94,6 +94,7 @@ void smooth(RemeshSurface& s, double shaken) {
       break;
     }
   }
+  s.look_everywhere_again();
 }
 
 std::vector<std::int32_t> pull_vertices(RemeshSurface& s) {
@@ -117,6 +118,7 @@ std::vector<std::int32_t> pull_vertices(RemeshSurface& s) {
     if (moves[v].face >= 0) s.near[v] = moves[v].face;
     if (!moves[v].wanted || !keeps_star(s, v, moves[v].to, 0.1)) continue;
     s.mesh.move(v, moves[v].to);
+    s.look_around_again(v);
     moved.push_back(v);
   }
   return moved;
