@@ -15,6 +15,23 @@ namespace {
 // Of the length wanted: how straight a seam is to be thinned.
 constexpr double seam_tolerance = 1e-6;
 
+// Halfedges are asked for so many before they are looked at: faces, then their corners.
+constexpr std::int32_t faces_ahead = 24, corners_ahead = 12;
+
+/// The next halfedge from h on that is flagged, or the number of all. Asks early for what those
+/// after it need.
+std::int32_t next_flagged(const RemeshSurface& s, const std::vector<char>& flags, std::int32_t h) {
+  const auto count = static_cast<std::int32_t>(flags.size());
+  if (h >= count) return count;
+  const void* found = std::memchr(&flags[h], 1, count - h);
+  if (found == nullptr) return count;
+  h = static_cast<std::int32_t>(static_cast<const char*>(found) - flags.data());
+  const std::int32_t faces = h + faces_ahead, corners = h + corners_ahead;
+  if (faces < count && flags[faces] != 0) s.mesh.prefetch_face_beyond(faces);
+  if (corners < count && flags[corners] != 0) s.mesh.prefetch_corners(corners);
+  return h;
+}
+
 struct LongEdge {
   double ratio;  // of its length to the one wanted
   std::int32_t h, from, to;
@@ -25,6 +42,9 @@ LongEdge measure(const RemeshSurface& s, std::int32_t h) {
   const std::int32_t a = s.mesh.from(h), b = s.mesh.to(h);
   return {s.edge_length(h) / s.wanted_length(a, b), h, a, b};
 }
+
+// Above too_short by more than rounding.
+constexpr double surely_not_short = too_short * (1 + 1e-9);
 
 // How far the vertex that goes lies from the line between its two neighbours on a marked line.
 double distance_to_new_line(const RemeshSurface& s, std::int32_t h) {
@@ -109,12 +129,19 @@ void split_long_edges(RemeshSurface& s) {
   for (;;) {
     std::vector<LongEdge> edges;
     double longest = 0;
-    for (std::int32_t h = 0; h < s.mesh.halfedge_slots(); ++h) {
+    // What is measured here stays so until a face beside it changes.
+    for (std::int32_t h = 0; (h = next_flagged(s, s.may_be_long, h)) < s.mesh.halfedge_slots();
+         ++h) {
       s.step();
-      if (!s.mesh.is_edge(h)) continue;
-      const LongEdge e = measure(s, h);
+      const bool is_edge = s.mesh.is_edge(h);
+      const LongEdge e = is_edge ? measure(s, h) : LongEdge{0, h, -1, -1};
       longest = std::max(longest, e.ratio);
-      if (e.ratio > too_long) edges.push_back(e);
+      if (e.ratio > too_long) {
+        edges.push_back(e);
+        continue;
+      }
+      s.may_be_long[h] = 0;
+      if (!is_edge || e.ratio > surely_not_short) s.may_be_short[h] = 0;
     }
     if (edges.empty()) return;
     const double limit = std::max(too_long, longest / 1.5);
@@ -140,7 +167,8 @@ void split_long_edges(RemeshSurface& s) {
 }
 
 void collapse_short_edges(RemeshSurface& s) {
-  for (std::int32_t h = 0; h < s.mesh.halfedge_slots(); ++h) {
+  for (std::int32_t h = 0; (h = next_flagged(s, s.may_be_short, h)) < s.mesh.halfedge_slots();
+       ++h) {
     s.step();
     if (!s.mesh.is_edge(h)) continue;
     if (s.edge_length(h) >= too_short * s.wanted_length(s.mesh.from(h), s.mesh.to(h))) continue;
@@ -154,22 +182,13 @@ void collapse_short_edges(RemeshSurface& s) {
 }
 
 void flip_edges(RemeshSurface& s) {
-  // Faces beside an edge, and their corners, are asked for so many halfedges early.
-  constexpr std::int32_t faces_ahead = 24, corners_ahead = 12;
-  const std::int32_t halfedges = s.mesh.halfedge_slots();
-  const auto is_ahead = [&](std::int32_t h) { return h < halfedges && s.unseen[h] != 0; };
   for (int sweep = 0, flips = 1; sweep < 12 && flips > 0; ++sweep) {
     flips = 0;
-    for (std::int32_t h = 0; h < halfedges; ++h) {
+    for (std::int32_t h = 0; (h = next_flagged(s, s.may_flip, h)) < s.mesh.halfedge_slots(); ++h) {
       s.step();
-      const void* next = std::memchr(&s.unseen[h], 1, halfedges - h);
-      if (next == nullptr) break;
-      h = static_cast<std::int32_t>(static_cast<const char*>(next) - s.unseen.data());
-      if (is_ahead(h + faces_ahead)) s.mesh.prefetch_face_beyond(h + faces_ahead);
-      if (is_ahead(h + corners_ahead)) s.mesh.prefetch_corners(h + corners_ahead);
       // Of an edge's two sides one stands for it until the faces beside it change.
       if (!s.mesh.is_edge(h) || !wants_flip(s, h)) {
-        s.unseen[h] = 0;
+        s.may_flip[h] = 0;
         continue;
       }
       if (!s.mesh.can_flip(h)) continue;

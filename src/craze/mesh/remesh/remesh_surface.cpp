@@ -36,8 +36,8 @@ RemeshSurface::RemeshSurface(const SurfaceMesh& input_mesh, const TriangleMesh& 
                     [&](std::int32_t h) { return topology.opposite(h); })),
       tree(input.positions, input.triangles, patch),
       walk(topology, tree),
-      mesh(topology, marks),
-      unseen(mesh.halfedge_slots(), 1) {
+      mesh(topology, marks) {
+  look_everywhere_again();
   refuse_too_many(topology);
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
     add_vertex(lengths[v], mesh.is_vertex(v) ? topology.first_halfedge(v) / 3 : -1);
@@ -81,7 +81,9 @@ std::int32_t RemeshSurface::split(std::int32_t h, const Vec3& at) {
   const std::int32_t x = mesh.split(h, at);
   add_vertex(0.5 * (length[a] + length[b]), near[a]);
   line_error.back() = std::max(line_error[a], line_error[b]);
-  unseen.resize(mesh.halfedge_slots(), 1);
+  for (std::vector<char>* flags : {&may_flip, &may_be_long, &may_be_short}) {
+    flags->resize(mesh.halfedge_slots(), 1);
+  }
   look_around_again(x);
   return x;
 }
@@ -92,8 +94,15 @@ void RemeshSurface::look_around_again(std::int32_t v) {
 
 void RemeshSurface::look_at_again(std::int32_t f) {
   for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-    unseen[h] = 1;
-    if (mesh.opposite(h) >= 0) unseen[mesh.opposite(h)] = 1;
+    may_flip[h] = may_be_long[h] = may_be_short[h] = 1;
+    const std::int32_t o = mesh.opposite(h);
+    if (o >= 0) may_flip[o] = may_be_long[o] = may_be_short[o] = 1;
+  }
+}
+
+void RemeshSurface::look_everywhere_again() {
+  for (std::vector<char>* flags : {&may_flip, &may_be_long, &may_be_short}) {
+    flags->assign(mesh.halfedge_slots(), 1);
   }
 }
 

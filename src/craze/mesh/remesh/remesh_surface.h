@@ -43,7 +43,7 @@ struct RemeshSurface {
   void look_around_again(std::int32_t v);
   /// The same of one face, and of all.
   void look_at_again(std::int32_t f);
-  void look_everywhere_again() { unseen.assign(mesh.halfedge_slots(), 1); }
+  void look_everywhere_again();
 
   const SurfaceMesh& input;
   const RemeshOptions& options;
@@ -60,9 +60,9 @@ struct RemeshSurface {
   std::vector<double> wanted;      ///< and with its random variation
   std::vector<std::int32_t> near;  ///< #V: an input face near the vertex
   std::vector<double> line_error;  ///< #V: how far thinning may have moved its marked line
-  /// 3 #F: 1 unless the halfedge's edge was found to want no flip since the faces beside it
-  /// changed.
-  std::vector<char> unseen;
+  /// 3 #F: 0 where, since the faces beside it changed, the halfedge's edge was found to want no
+  /// flip, to be not too long, or to be not too short; else 1.
+  std::vector<char> may_flip, may_be_long, may_be_short;
 
  private:
   void refuse_too_many(const TriangleMesh& topology) const;
