@@ -79,10 +79,14 @@ std::int32_t EditMesh::split(std::int32_t h, const Vec3& p) {
   return x;
 }
 
+bool EditMesh::marks_allow_collapse(std::int32_t h) const {
+  const int marked = count_marked(from(h));
+  return marked == 0 || (marked == 2 && marks_[h] != 0);
+}
+
 bool EditMesh::can_collapse(std::int32_t h) const {
   const std::int32_t a = from(h), b = to(h), o = opposite_[h];
-  const int marked = count_marked(a);
-  if (marked != 0 && (marked != 2 || marks_[h] == 0)) return false;
+  if (!marks_allow_collapse(h)) return false;
   // A border vertex goes only along the border.
   if (is_border_vertex(a) && o >= 0) return false;
   // Around a removed face: not both other sides open, and no top that would lose its fan.

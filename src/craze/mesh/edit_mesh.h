@@ -72,6 +72,8 @@ class EditMesh {
   /// True if from(h) can be merged into to(h) without harm to the topology or to marked lines: only
   /// a vertex without marks, or one inside a marked line along that line, may go.
   bool can_collapse(std::int32_t h) const;
+  /// The part of that which is about marks.
+  bool marks_allow_collapse(std::int32_t h) const;
   /// Merges from(h) into to(h), which stays where it is. Needs can_collapse(h).
   void collapse(std::int32_t h);
   /// True if the edge has two faces, no mark, and the other diagonal does not exist already.

@@ -61,7 +61,7 @@ double distance_to_new_line(const RemeshSurface& s, std::int32_t h) {
 }
 
 bool may_collapse(const RemeshSurface& s, std::int32_t h) {
-  if (!s.mesh.can_collapse(h)) return false;
+  if (!s.mesh.marks_allow_collapse(h)) return false;
   const std::int32_t a = s.mesh.from(h), b = s.mesh.to(h);
   if (s.mesh.mark(h) != no_feature) {
     const double off = distance_to_new_line(s, h);
@@ -88,7 +88,7 @@ bool may_collapse(const RemeshSurface& s, std::int32_t h) {
     const Vec3 w = nearest_weights(pa, pb, pc, pd);
     nearest = std::min(nearest, (w[0] * pb + w[1] * pc + w[2] * pd - pa).norm());
   });
-  return good && nearest <= s.max_distance / 2;
+  return good && nearest <= s.max_distance / 2 && s.mesh.can_collapse(h);
 }
 
 void collapse(RemeshSurface& s, std::int32_t h) {
