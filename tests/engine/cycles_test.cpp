@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "craze/error.h"
 #include "craze/model/screening.h"
 #include "craze/presets.h"
@@ -67,6 +70,36 @@ TEST(Cycles, TellHowFarTheyAreAndStopWhenCancelled) {
   const LastCycle last = run_cycles(plate(), mud(3), {}, context);
   EXPECT_EQ(last.reason, StopReason::cancelled);
   EXPECT_DOUBLE_EQ(furthest, 1.0 / 3);
+}
+
+TEST(Cycles, CrackCoarserMeshesFirstAndTheSurfaceItselfLast) {
+  EXPECT_TRUE(coarser_edges(3).empty());
+  EXPECT_EQ(coarser_edges(4).size(), 1U);
+  EXPECT_EQ(coarser_edges(25).size(), 2U);
+  const SimulationSurface coarse[] = {{make_shape("plate?n=26&jitter=0.3")},
+                                      {make_shape("plate?n=20&jitter=0.3")}};
+  std::vector<double> faces;
+  Context context;
+  context.progress = [&](const Progress& p) {
+    if (p.phase == "prepare") faces.push_back(static_cast<double>(p.triangles));
+  };
+  const LastCycle last = run_cycles(plate(), mud(9), {}, context, {}, coarse);
+  EXPECT_EQ(last.coarser, 0U);
+  EXPECT_EQ(last.simulation->mesh().source_face(0), 0);
+  const std::vector<double> wanted = {800, 1352, 1352, 1352, 1352, 1352, 3200, 3200, 3200};
+  EXPECT_EQ(faces, wanted);
+}
+
+TEST(Cycles, StoppedEarlySayWhatTheyCracked) {
+  const SimulationSurface coarse[] = {{make_shape("plate?n=20&jitter=0.3")}};
+  double furthest = 0;
+  Context context;
+  context.progress = [&](const Progress& p) { furthest = std::max(furthest, p.fraction); };
+  context.cancelled = [&] { return furthest > 0; };
+  const LastCycle last = run_cycles(plate(), mud(6), {}, context, {}, coarse);
+  EXPECT_EQ(last.reason, StopReason::cancelled);
+  EXPECT_EQ(last.coarser, 1U);
+  EXPECT_EQ(coarseness(last, mud(6)), 1.5);
 }
 
 TEST(Cycles, NeedALayerThatSticks) {

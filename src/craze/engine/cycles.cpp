@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <vector>
 
 #include "craze/base/random.h"
 #include "craze/engine/initial_fields.h"
@@ -14,16 +16,46 @@ namespace craze {
 
 namespace {
 
-SimulationParameters of_cycle(SimulationParameters parameters, std::int64_t cycle) {
+// The last so many cycles are cracked on the mesh itself, and the last so many on no mesh coarser
+// than the first of the coarser ones.
+constexpr std::int64_t fine_cycles = 3, finer_cycles = 8;
+// Equilibrium on a coarser mesh need not be nearer than this.
+constexpr double coarser_residual = 0.05;
+// What a cycle takes on each mesh, over what it takes on the finest.
+constexpr double work_on[] = {1, 0.3, 0.15};
+
+/// Which mesh a cycle cracks, as LastCycle::coarser.
+std::size_t coarseness_of(std::int64_t cycle, std::int64_t cycles, std::size_t meshes) {
+  const std::int64_t left = cycles - cycle;
+  const std::size_t wanted = left <= fine_cycles ? 0 : left <= finer_cycles ? 1 : 2;
+  return std::min(wanted, meshes);
+}
+
+/// How much of a run lies before each of its cycles, and at last the whole: 0 … 1.
+std::vector<double> work_before(std::int64_t cycles, std::size_t meshes) {
+  std::vector<double> before(1, 0);
+  for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
+    before.push_back(before.back() + work_on[coarseness_of(cycle, cycles, meshes)]);
+  }
+  const double whole = before.back();
+  for (double& work : before) work /= whole;
+  return before;
+}
+
+SimulationParameters of_cycle(SimulationParameters parameters, std::int64_t cycle,
+                              std::size_t coarser) {
   if (cycle > 0) parameters.seed = hash_bits(parameters.seed ^ hash_bits(cycle));
+  if (coarser > 0) {
+    double& residual = parameters.evolution.residual;
+    residual = std::max(residual, coarser_residual);
+  }
   return parameters;
 }
 
 /// The context of one cycle of several, which reports how far all of them are.
-Context in_cycle(const Context& context, std::int64_t cycle, std::int64_t cycles) {
+Context in_cycle(const Context& context, double fraction, std::int64_t cycles) {
   Context inner = context;
   if (cycles == 1 || !context.progress) return inner;
-  const double fraction = static_cast<double>(cycle) / static_cast<double>(cycles);
   inner.progress = [report = context.progress, fraction](Progress progress) {
     progress.fraction = fraction;
     report(progress);
@@ -64,6 +96,15 @@ void start(LastCycle& last, const SimulationSurface& surface,
 
 }  // namespace
 
+std::span<const double> coarser_edges(std::int64_t cycles) {
+  static constexpr double edges[] = {1.5, 2};
+  return std::span(edges).first(coarseness_of(0, cycles, std::size(edges)));
+}
+
+double coarseness(const LastCycle& last, const SimulationParameters& parameters) {
+  return last.coarser == 0 ? 1 : coarser_edges(parameters.evolution.cycles)[last.coarser - 1];
+}
+
 LastCycle before_first_crack(const SimulationSurface& surface,
                              const SimulationParameters& parameters, const Textures& textures,
                              const Context& context) {
@@ -73,7 +114,8 @@ LastCycle before_first_crack(const SimulationSurface& surface,
 }
 
 LastCycle run_cycles(const SimulationSurface& surface, const SimulationParameters& parameters,
-                     const Textures& textures, const Context& context, const OnOpened& on_opened) {
+                     const Textures& textures, const Context& context, const OnOpened& on_opened,
+                     std::span<const SimulationSurface> coarser) {
   const EvolutionParameters& evolution = parameters.evolution;
   const double scar_width = evolution.scar_width * parameters.layer.screening_length;
   if (evolution.cycles > 1 && !(scar_width > 0)) {
@@ -82,10 +124,14 @@ LastCycle run_cycles(const SimulationSurface& surface, const SimulationParameter
   }
   LastCycle last;
   HealedCracks healed;
+  const std::vector<double> before = work_before(evolution.cycles, coarser.size());
   for (std::int64_t cycle = 0; cycle < evolution.cycles; ++cycle) {
-    const Context inner = in_cycle(context, cycle, evolution.cycles);
+    const Context inner = in_cycle(context, before[cycle], evolution.cycles);
+    const std::size_t level = coarseness_of(cycle, evolution.cycles, coarser.size());
     try {
-      start(last, surface, of_cycle(parameters, cycle), textures, std::move(healed), inner);
+      start(last, level == 0 ? surface : coarser[level - 1], of_cycle(parameters, cycle, level),
+            textures, std::move(healed), inner);
+      last.coarser = level;
     } catch (const Cancelled&) {
       if (cycle == 0) throw;
       last.reason = StopReason::cancelled;  // the cracks of the cycle before stand

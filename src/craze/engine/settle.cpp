@@ -122,7 +122,9 @@ Result with_post(const Result& result, const PostParameters& post, const Context
   }
   const auto start = std::chrono::steady_clock::now();
   std::vector<Vec3> smooth;
-  if (!run.asset_face.empty()) smooth = smooth_asset(*state.surface, recipe);
+  if (!run.asset_face.empty()) {
+    smooth = smooth_asset(*state.surface, recipe, coarseness(run.last, recipe.simulation));
+  }
   auto again = std::make_shared<CrackedSurface>();
   again->surface = state.surface;
   again->surface_origin = state.surface_origin;

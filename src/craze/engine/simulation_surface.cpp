@@ -23,8 +23,8 @@ constexpr double scan_edge = 0.5;
 constexpr double scan_distance = 0.5;
 
 /// The edge length to remesh to, 0: not at all; and how.
-RemeshOptions remesh_options(const SurfaceMesh& surface, const Period& period,
-                             const Recipe& recipe) {
+RemeshOptions remesh_options(const SurfaceMesh& surface, const Period& period, const Recipe& recipe,
+                             double coarseness = 1) {
   RemeshOptions options;
   options.period = period;
   options.seed = recipe.simulation.seed;
@@ -34,7 +34,8 @@ RemeshOptions remesh_options(const SurfaceMesh& surface, const Period& period,
     options.coarsen = edge.kind == EdgeLength::Kind::given;
     return options;
   }
-  const double target = edge_per_screening_length * recipe.simulation.layer.screening_length;
+  const double target =
+      coarseness * edge_per_screening_length * recipe.simulation.layer.screening_length;
   const double mean = mean_edge(surface.positions, surface.triangles, period);
   // The input keeps its own triangles only where cracks are carried back onto them.
   options.coarsen = recipe.mesh.output == OutputMesh::asset && mean < scan_edge * target;
@@ -120,13 +121,14 @@ double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>
   return sum / (3 * static_cast<double>(triangles.size()));
 }
 
-std::vector<Vec3> smooth_asset(const SurfaceMesh& asset, const Recipe& recipe) {
-  return smooth_positions(asset, remesh_options(asset, {}, recipe));
+std::vector<Vec3> smooth_asset(const SurfaceMesh& asset, const Recipe& recipe, double coarseness) {
+  return smooth_positions(asset, remesh_options(asset, {}, recipe, coarseness));
 }
 
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
-                                     const Context& context, const Period& period) {
-  const RemeshOptions options = remesh_options(repaired, period, recipe);
+                                     const Context& context, const Period& period,
+                                     double coarseness) {
+  const RemeshOptions options = remesh_options(repaired, period, recipe, coarseness);
   check_scale(repaired, recipe, options.target_edge, physical_memory(), period);
   if (options.target_edge == 0) return {std::move(repaired), {}, {}, {}, period, {}};
 

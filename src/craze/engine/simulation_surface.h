@@ -39,11 +39,14 @@ double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>
 /// mesh.output "asset" where they are shorter than half of it, a scan, whose bumps up to half of
 /// that height are then smoothed away; else the input itself. Throws Error(request) for a spacing
 /// or edge that the object or this machine's memory is too small for.
-/// With a period the input is a plane without attributes that needs remeshing.
+/// With a period the input is a plane without attributes that needs remeshing. The edge that "auto"
+/// takes is multiplied by `coarseness` ≥ 1.
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
-                                     const Context& context, const Period& period = {});
+                                     const Context& context, const Period& period = {},
+                                     double coarseness = 1);
 
 /// SimulationSurface::smooth of an asset that it was made from by the same recipe.
-std::vector<Vec3> smooth_asset(const SurfaceMesh& asset, const Recipe& recipe);
+std::vector<Vec3> smooth_asset(const SurfaceMesh& asset, const Recipe& recipe,
+                               double coarseness = 1);
 
 }  // namespace craze

@@ -43,19 +43,67 @@ SpacedRun resolved(const Recipe& recipe, double diagonal) {
   return run;
 }
 
+SimulationSurface masked_surface(SurfaceMesh repaired, const Recipe& recipe,
+                                 const Textures& textures, const Context& context,
+                                 const Period& period, double coarseness) {
+  SimulationSurface surface =
+      simulation_surface(std::move(repaired), recipe, context, period, coarseness);
+  const WhereParameters& where = recipe.simulation.where;
+  if (where.is_given()) {
+    const SurfaceMesh& mesh = surface.mesh;
+    surface.mask = crack_mask(mesh, TriangleMesh(mesh.positions, mesh.triangles, period), where,
+                              find_texture(textures, where.texture, "where.texture"),
+                              !surface.asset_face.empty());
+  }
+  context.check();
+  return surface;
+}
+
+/// Makes what early cycles crack. Nothing where edges of one length are asked for, or where a cycle
+/// may be the last because max_cracks is reached.
+void prepare_early_cycles(SpacedRun& run, const SurfaceMesh& repaired, const Textures& textures,
+                          const Context& context, const Period& period) {
+  constexpr double least_edges = 16;  // along the diagonal, of a mesh that is worth making
+  const auto begin = std::chrono::steady_clock::now();
+  const SimulationParameters& parameters = run.recipe.simulation;
+  if (parameters.evolution.max_cracks > 0) return;
+  if (run.recipe.mesh.edge.kind != EdgeLength::Kind::automatic) return;
+  const double diagonal = bounding_diagonal(repaired.positions, period);
+  for (const double edges : coarser_edges(parameters.evolution.cycles)) {
+    if (least_edges * edges * parameters.layer.screening_length > 4 * diagonal) break;
+    run.coarser.push_back(masked_surface(repaired, run.recipe, textures, context, period, edges));
+  }
+  run.prepare += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 void prepare(SpacedRun& run, SurfaceMesh repaired, const Textures& textures, const Context& context,
              const Period& period = {}) {
   const auto begin = std::chrono::steady_clock::now();
-  run.surface = simulation_surface(std::move(repaired), run.recipe, context, period);
-  const WhereParameters& where = run.recipe.simulation.where;
-  if (where.is_given()) {
-    const SurfaceMesh& mesh = run.surface.mesh;
-    run.surface.mask = crack_mask(mesh, TriangleMesh(mesh.positions, mesh.triangles, period), where,
-                                  find_texture(textures, where.texture, "where.texture"),
-                                  !run.surface.asset_face.empty());
+  run.surface = masked_surface(std::move(repaired), run.recipe, textures, context, period, 1);
+  run.prepare += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// How many of the coarser meshes are worth changing to.
+std::size_t count_worthwhile(const SpacedRun& run) {
+  constexpr double fewer = 0.8;  // triangles
+  auto triangles = static_cast<double>(run.surface.mesh.triangles.size());
+  std::size_t count = 0;
+  for (; count < run.coarser.size(); ++count) {
+    const auto there = static_cast<double>(run.coarser[count].mesh.triangles.size());
+    if (!(there < fewer * triangles)) break;
+    triangles = there;
   }
-  context.check();
-  run.prepare = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return count;
+}
+
+/// Cracks what was prepared.
+void crack_prepared(SpacedRun& run, const Textures& textures, const Context& context,
+                    const OnOpened& on_opened) {
+  run.coarser.resize(count_worthwhile(run));
+  run.last =
+      run_cycles(run.surface, run.recipe.simulation, textures, context, on_opened, run.coarser);
+  if (run.last.coarser > 0) run.surface = std::move(run.coarser[run.last.coarser - 1]);
+  run.coarser.clear();
 }
 
 void add_times(SpacedRun& run, const SpacedRun& other) {
@@ -116,8 +164,9 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
                      !is_painted(recipe.simulation.layer);
   const std::int64_t rounds = asked ? recipe.simulation.layer.rounds : 0;
   if (rounds == 0) {
+    prepare_early_cycles(run, repaired, textures, context, period);
     prepare(run, std::move(repaired), textures, context, period);
-    run.last = run_cycles(run.surface, run.recipe.simulation, textures, context, on_opened);
+    crack_prepared(run, textures, context, on_opened);
     return run;
   }
   const double first_length = run.recipe.simulation.layer.screening_length;
@@ -126,8 +175,9 @@ SpacedRun run_to_spacing(SurfaceMesh repaired, const Recipe& recipe, const Textu
   double best_error = std::numeric_limits<double>::infinity();
   for (std::int64_t round = 0;; ++round) {
     try {
+      prepare_early_cycles(run, repaired, textures, context, period);
       prepare(run, repaired, textures, context, period);
-      run.last = run_cycles(run.surface, run.recipe.simulation, textures, context, on_opened);
+      crack_prepared(run, textures, context, on_opened);
     } catch (const Cancelled&) {
       if (!best) throw;
       best->last.reason = StopReason::cancelled;

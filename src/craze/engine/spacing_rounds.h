@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "craze/engine/cycles.h"
 #include "craze/mesh/components.h"
@@ -12,10 +13,11 @@ namespace craze {
 
 /// A run, and what it was made with.
 struct SpacedRun {
-  Recipe recipe;  ///< its lengths resolved
-  SimulationSurface surface;
+  Recipe recipe;              ///< its lengths resolved
+  SimulationSurface surface;  ///< what the last cycle cracked
   LastCycle last;
   double prepare = 0;  ///< seconds spent on the surface, of all rounds together
+  std::vector<SimulationSurface> coarser = {};  ///< for run_cycles; nothing afterwards
 };
 
 /// The run before its first crack.
