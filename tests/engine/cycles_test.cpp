@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
+#include "craze/engine.h"
+#include "craze/engine/cracked_surface.h"
 #include "craze/error.h"
+#include "craze/mesh/validate.h"
 #include "craze/model/screening.h"
 #include "craze/presets.h"
 #include "craze/products/statistics/statistics.h"
@@ -100,6 +104,31 @@ TEST(Cycles, StoppedEarlySayWhatTheyCracked) {
   EXPECT_EQ(last.reason, StopReason::cancelled);
   EXPECT_EQ(last.coarser, 1U);
   EXPECT_EQ(coarseness(last, mud(6)), 1.5);
+}
+
+TEST(Cycles, StoppedEarlyLeaveAWholeSurfaceOfEitherKind) {
+  Recipe recipe = read_preset("mud-mature");
+  recipe.simulation.layer.relative_spacing = 0.2;
+  recipe.simulation.evolution.cycles = 9;
+  const auto cup = std::make_shared<const SurfaceMesh>(make_shape("cup?n=24"));
+  for (const OutputMesh output : {OutputMesh::asset, OutputMesh::simulation}) {
+    recipe.mesh.output = output;
+    const auto triangles = [&](double stop_at) {
+      double furthest = 0;
+      Context context;
+      context.progress = [&](const Progress& p) {
+        if (p.phase == "crack") furthest = std::max(furthest, p.fraction);
+      };
+      context.cancelled = [&] { return furthest > stop_at; };
+      const Result result = crack({cup, {}, "cup"}, recipe, {{}, OnCancel::keep}, context);
+      EXPECT_GT(result.report().cracks.length, 0);
+      EXPECT_TRUE(validate(result.state().mesh()).empty());
+      EXPECT_EQ(result.report().carried.lost_pieces, 0);
+      return result.report().simulation.triangles;
+    };
+    const std::int64_t early = triangles(0.1), whole = triangles(1);
+    EXPECT_LT(early, 0.6 * static_cast<double>(whole));
+  }
 }
 
 TEST(Cycles, NeedALayerThatSticks) {
