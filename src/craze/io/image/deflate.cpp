@@ -61,10 +61,6 @@ std::uint32_t adler_of_both(std::uint32_t first, std::uint32_t second, std::size
   return static_cast<std::uint32_t>(adler32_combine(first, second, static_cast<z_off_t>(length)));
 }
 
-std::uint32_t crc(std::string_view bytes) {
-  return static_cast<std::uint32_t>(crc32_z(0, data(bytes), bytes.size()));
-}
-
 #else
 
 namespace {
@@ -88,9 +84,6 @@ std::uint32_t adler(std::string_view) {
   refuse();
 }
 std::uint32_t adler_of_both(std::uint32_t, std::uint32_t, std::size_t) {
-  refuse();
-}
-std::uint32_t crc(std::string_view) {
   refuse();
 }
 

@@ -19,6 +19,5 @@ std::string deflate_part(std::string_view bytes, bool last);
 std::uint32_t adler(std::string_view bytes);
 /// Of two texts one after the other, from those of each; `length`: of the second.
 std::uint32_t adler_of_both(std::uint32_t first, std::uint32_t second, std::size_t length);
-std::uint32_t crc(std::string_view bytes);
 
 }  // namespace craze

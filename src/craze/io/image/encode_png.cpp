@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "craze/io/image/deflate.h"
 #include "craze/io/image/png_chunks.h"
 
 namespace craze {

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "craze/io/image/deflate.h"
+#include "craze/io/image/png_chunks.h"
 
 namespace craze {
 
@@ -10,18 +11,6 @@ namespace {
 
 /// Each row is its difference from the pixel on the left.
 constexpr char filter_left = 1;
-
-void put_big(std::string& bytes, std::uint32_t x) {
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(x >> shift & 255);
-}
-
-void put_chunk(std::string& file, std::string_view type, std::string_view data) {
-  put_big(file, static_cast<std::uint32_t>(data.size()));
-  const std::size_t begin = file.size();
-  file += type;
-  file += data;
-  put_big(file, crc(std::string_view(file).substr(begin)));
-}
 
 }  // namespace
 
@@ -42,13 +31,14 @@ std::string format_png(const PngPicture& p) {
       rows += static_cast<char>(plain[i] - (i < pixel ? 0 : plain[i - pixel]));
     }
   }
-  std::string file = "\x89PNG\r\n\x1a\n", header;
+  std::string header;
   put_big(header, static_cast<std::uint32_t>(p.width));
   put_big(header, static_cast<std::uint32_t>(p.height));
   header += {static_cast<char>(p.bits), static_cast<char>(p.channels == 3 ? 2 : 0), 0, 0, 0};
-  put_chunk(file, "IHDR", header);
-  put_chunk(file, "IDAT", zlib_pack(rows));
-  put_chunk(file, "IEND", "");
+  std::string file(png_signature);
+  file += png_chunk("IHDR", header);
+  file += png_chunk("IDAT", zlib_pack(rows));
+  file += png_chunk("IEND", "");
   return file;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "craze/io/bytes/crc32.h"
 #include "craze/io/image/picture_type.h"
 #include "craze/io/image/png_chunks.h"
 
@@ -28,7 +29,7 @@ std::string png_fault(std::string_view bytes) {
     if (length > bytes.size() - at - around) return cut_off;
     const std::string_view type = bytes.substr(at + 4, 4);
     if (!has_size && (type != "IHDR" || length != 13)) return "it does not say its size";
-    if (has_deflate() && crc(bytes.substr(at + 4, length + 4)) != big(bytes, at + 8 + length, 4)) {
+    if (crc32(bytes.substr(at + 4, length + 4)) != big(bytes, at + 8 + length, 4)) {
       return "its bytes are damaged";
     }
     has_size = true;

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "craze/io/image/deflate.h"
+#include "craze/io/bytes/crc32.h"
 
 namespace craze {
 
@@ -22,7 +22,7 @@ inline std::string png_chunk(std::string_view type, std::string_view data) {
   put_big(chunk, static_cast<std::uint32_t>(data.size()));
   chunk += type;
   chunk += data;
-  put_big(chunk, crc(std::string_view(chunk).substr(4)));
+  put_big(chunk, crc32(std::string_view(chunk).substr(4)));
   return chunk;
 }
 

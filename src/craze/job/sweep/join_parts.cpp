@@ -9,9 +9,9 @@
 #include "craze/base/parse_double.h"
 #include "craze/error.h"
 #include "craze/io/bytes/byte_order.h"
+#include "craze/io/bytes/crc32.h"
 #include "craze/io/files/new_file.h"
 #include "craze/io/files/read_file.h"
-#include "craze/io/image/deflate.h"
 #include "craze/job/output_folder.h"
 #include "craze/job/sweep/sweep_plots.h"
 #include "craze/job/sweep/sweep_table.h"
@@ -84,7 +84,7 @@ fs::path part_file(const fs::path& folder, std::uint64_t part) {
 }
 
 std::string with_mark(std::string_view lines, std::uint64_t count) {
-  return fmt::format("{}# whole: {} rows, crc {:08x}\n", lines, count, crc(lines));
+  return fmt::format("{}# whole: {} rows, crc {:08x}\n", lines, count, crc32(lines));
 }
 
 bool is_whole_part(const fs::path& file, std::uint64_t count) {
