@@ -95,8 +95,12 @@ TEST_F(Errors, TooLittleStressForACrackIsSaid) {
   std::vector<std::string> bare = crack, few = crack, preset = crack;
   bare.insert(bare.end(), {"--set", "stress.uniform=0.01"});
   EXPECT_EQ(run(bare).err,
-            "craze: warning: no crack opened (stress): it is too low for the strength; start from "
-            "a preset, or give more of it or of evolution.max_load\n");
+            "craze: warning: no crack opened (stress): the surface holds; start from a preset, or "
+            "give more stress, more evolution.max_load, or less layer.spacing than parts are "
+            "large\n");
+  std::vector<std::string> closed = crack;
+  closed.insert(closed.end(), {"--preset", "mud", "--set", "where.materials=none"});
+  EXPECT_EQ(run(closed).err.find("no crack opened"), std::string::npos);
   few.insert(few.end(), {"--set", "stress.uniform=0.01", "--max-cracks", "0"});
   EXPECT_EQ(run(few).err, "");
   preset.insert(preset.end(), {"--preset", "mud", "--set", "layer.spacing=0.2"});

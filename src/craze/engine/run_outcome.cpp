@@ -86,10 +86,15 @@ void add_run_warnings(Report& report, const LastCycle& last, const Simulation& s
         report.carried.lost_length + report.cracks.length));
   }
   const bool ended = last.reason == StopReason::equilibrium || last.reason == StopReason::max_load;
-  if (ended && report.cracks.segments == 0 && !last.unstressed && !last.unloaded) {
-    report.warnings.push_back(
-        "no crack opened (stress): it is too low for the strength; start from a preset, or give "
-        "more of it or of evolution.max_load");
+  if (ended && report.cracks.segments == 0) {
+    const bool is_told = std::any_of(
+        report.warnings.begin(), report.warnings.end(),
+        [](const std::string& warning) { return warning.starts_with("nothing can crack"); });
+    if (!is_told) {
+      report.warnings.push_back(
+          "no crack opened (stress): the surface holds; start from a preset, or give more stress, "
+          "more evolution.max_load, or less layer.spacing than parts are large");
+    }
     return;
   }
   const bool whole = !report.recipe.simulation.where.is_given() && !last.staggered;
