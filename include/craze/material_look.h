@@ -41,6 +41,7 @@ struct MaterialLook {
   LookPicture occlusion_picture;           ///< red
   Color emission{0, 0, 0, 1};              ///< linear, may be above 1
   LookPicture emission_picture;            ///< sRGB
+  bool has_further_uvs = false;            ///< some of its pictures lie in another UV set: left out
 };
 
 /// All pictures of a look, some of which may not be there: for_each_picture(look, f) calls

@@ -48,6 +48,14 @@ TEST(MaterialLooks, WhatCannotBeShownIsSaidOnce) {
   EXPECT_EQ(looks[2].color[1], 0.25f);
 }
 
+TEST(MaterialLooks, TexturesInFurtherUvsAreSaidToBeLeftOut) {
+  MaterialLook look;
+  look.has_further_uvs = true;
+  std::vector<std::string> said;
+  EXPECT_TRUE(shown({look, look}, "a.glb", said).empty());
+  EXPECT_EQ(said.size(), 1u);
+}
+
 TEST(MaterialLooks, GreyWithoutTexturesSaysNothing) {
   MaterialLook grey;
   grey.base_color = {0.8f, 0.8f, 0.8f, 1};

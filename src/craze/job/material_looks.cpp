@@ -67,6 +67,10 @@ std::vector<render::Look> material_looks(const std::vector<MaterialLook>& looks,
                                          const std::string& input,
                                          std::vector<std::string>& warnings,
                                          const Context& context) {
+  if (std::any_of(looks.begin(), looks.end(),
+                  [](const MaterialLook& look) { return look.has_further_uvs; })) {
+    warnings.emplace_back("textures that lie in a further UV set are not shown in pictures");
+  }
   if (std::none_of(looks.begin(), looks.end(), says_something)) return {};
   TextureReader textures(input, warnings, context);
   std::vector<render::Look> shown;

@@ -63,6 +63,20 @@ TEST(UvLayout, RepeatsWhatLeavesTheSquareOtherwise) {
   EXPECT_TRUE(layout.warnings.empty());
 }
 
+TEST(UvLayout, UvsThatRepeatWithoutEndAreOverlapAtOnce) {
+  for (const double scale : {100.0, 1e4, 1e30, 1e200}) {
+    MapSurface maps = plate_with(40, {});
+    for (std::int32_t f = 0; f < static_cast<std::int32_t>(maps.pieces.size()); ++f) {
+      move_uvs(maps, f, {0.1, 0.2}, scale);
+    }
+    const UvLayout layout = uv_layout(maps, false, {});
+    ASSERT_EQ(layout.sheets.size(), 1u) << scale;
+    EXPECT_EQ(layout.sheets[0].pieces.size(), maps.pieces.size()) << scale;
+    EXPECT_EQ(overlap_of(maps, layout.sheets), 1) << scale;
+    EXPECT_EQ(layout.warnings.size(), 1u) << scale;
+  }
+}
+
 TEST(UvLayout, WarnsOfOverlapThatMaterialsDoNotExplain) {
   MapSurface maps = plate_with(4, {});
   const auto half = static_cast<std::int32_t>(maps.pieces.size() / 2);

@@ -38,6 +38,7 @@ class Looks {
 
   MaterialLook look_of(const Json& material) {
     MaterialLook look;
+    has_further_uvs_ = false;
     // The format's own, where a material does not say.
     look.metallic = look.roughness = 1;
     if (!material.is_object()) return look;
@@ -45,6 +46,7 @@ class Looks {
     add_relief(look, material);
     add_emission(look, material);
     const Json* surface = object_in(material, "pbrMetallicRoughness");
+    look.has_further_uvs = has_further_uvs_;
     if (!surface) return look;
     double factor[4];
     if (json_.numbers(*surface, "baseColorFactor", factor, 4)) {
@@ -54,6 +56,7 @@ class Looks {
     look.roughness = number_or(*surface, "roughnessFactor", 1);
     look.base_picture = picture_at(*surface, "baseColorTexture");
     look.metallic_roughness_picture = picture_at(*surface, "metallicRoughnessTexture");
+    look.has_further_uvs = has_further_uvs_;
     return look;
   }
 
@@ -103,6 +106,7 @@ class Looks {
     const Json* transform = json_.extension(*reference, "KHR_texture_transform");
     if (transform) uv_set = json_.index_or(*transform, "texCoord", uv_set);
     const auto index = json_.index(*reference, "index");
+    has_further_uvs_ |= uv_set != 0;
     if (uv_set != 0 || !index) return seen;
     const Json& texture = json_.item(root_, "textures", *index);
     const auto image = json_.index(texture, "source");
@@ -147,6 +151,7 @@ class Looks {
   const MeshSource& source_;
   GltfJson json_;
   std::map<std::size_t, Picture> pictures_;  ///< by image
+  bool has_further_uvs_ = false;             // of the material that is read
 };
 
 }  // namespace

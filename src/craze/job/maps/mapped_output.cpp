@@ -199,7 +199,7 @@ class MaterialMaps : public MapSink {
     if (relaid.pixels_per_texel < noticed || size >= MapOptions::largest_size) return;
     const std::vector<std::string>& names = whole.surface.material_names;
     warn_(
-        fmt::format("the pictures of {} repeat, and are {:.1f} times coarser where they show its "
+        fmt::format("the pictures of {} repeat, and are {:.2g} times coarser where they show its "
                     "cracks (maps); --map-size keeps more",
                     material_ < 0 ? "what has no material" : "'" + names[material_] + "'",
                     relaid.pixels_per_texel));

@@ -18,6 +18,10 @@ namespace {
 constexpr int looked_at = 1024;    // texels a side in which overlap is looked for
 constexpr double rounding = 1e-5;  // of UVs at the border of a tile, tiles
 constexpr int tiles_across = 10;   // of a row of UDIM tiles
+constexpr int tiles_up = 900;      // whose numbers have four digits
+constexpr double most_cells = 64;  // that a piece touches, each way, less one
+/// How often UVs may cover a picture before it is of no use to look where.
+constexpr double most_layers = 64;
 
 struct Box {
   Vec2 low, high;
@@ -39,17 +43,34 @@ bool is_inside(const Box& box, const Vec2& cell) {
          ((box.high - cell).array() <= 1 + rounding).all();
 }
 
-/// Places a piece in every cell that it touches, as far as that is sane.
-void place_repeated(const MapPiece& piece, std::int32_t index, std::vector<PlacedPiece>& placed) {
-  constexpr double most_cells = 64;
+/// The cells of the grid that a piece touches, as far as that is sane.
+struct Cells {
+  Vec2 low;
+  int columns, rows;
+};
+
+Cells cells_of(const MapPiece& piece) {
   const Box box = box_of(piece);
-  const auto first = [](double x) { return std::floor(x + rounding); };
-  const auto last = [](double x) { return std::ceil(x - rounding) - 1; };
-  Vec2 low{first(box.low.x()), first(box.low.y())};
-  Vec2 high = Vec2(last(box.high.x()), last(box.high.y())).cwiseMax(low);
-  high = high.cwiseMin(Vec2(low.array() + most_cells));
-  for (double v = low.y(); v <= high.y(); ++v) {
-    for (double u = low.x(); u <= high.x(); ++u) placed.push_back({index, {u, v}});
+  const auto count = [](double low, double high) {
+    return 1 + static_cast<int>(std::clamp(std::ceil(high - rounding) - 1 - low, 0.0, most_cells));
+  };
+  const Vec2 low(std::floor(box.low.x() + rounding), std::floor(box.low.y() + rounding));
+  return {low, count(low.x(), box.high.x()), count(low.y(), box.high.y())};
+}
+
+double uv_area(const MapPiece& piece) {
+  const Vec2 a = piece.uvs[1] - piece.uvs[0], b = piece.uvs[2] - piece.uvs[0];
+  return std::abs(a.x() * b.y() - a.y() * b.x()) / 2;
+}
+
+/// In every cell that it touches, or in the first alone.
+void place_repeated(const MapPiece& piece, std::int32_t index, bool everywhere,
+                    std::vector<PlacedPiece>& placed) {
+  const Cells cells = cells_of(piece);
+  for (int j = 0; j < (everywhere ? cells.rows : 1); ++j) {
+    for (int i = 0; i < (everywhere ? cells.columns : 1); ++i) {
+      placed.push_back({index, cells.low + Vec2(i, j)});
+    }
   }
 }
 
@@ -60,12 +81,17 @@ std::vector<MapSheet> sheets_of(const MapSurface& maps, bool tiles, std::int32_t
                                 bool by_material) {
   std::map<int, MapSheet> sheets;
   const Materials& of_face = maps.surface.face_materials;
+  const auto is_in = [&](const MapPiece& piece) {
+    return !by_material || of_face.empty() || of_face[piece.face] == material;
+  };
+  double layers = 0;
+  for (const MapPiece& piece : maps.pieces) layers += is_in(piece) ? uv_area(piece) : 0;
   for (std::size_t i = 0; i < maps.pieces.size(); ++i) {
     const MapPiece& piece = maps.pieces[i];
-    if (by_material && !of_face.empty() && of_face[piece.face] != material) continue;
+    if (!is_in(piece)) continue;
     const auto index = static_cast<std::int32_t>(i);
     if (!tiles) {
-      place_repeated(piece, index, sheets[0].pieces);
+      place_repeated(piece, index, layers <= most_layers, sheets[0].pieces);
       continue;
     }
     const Vec2 cell = cell_of(box_of(piece));
@@ -113,7 +139,8 @@ bool has_tiles(const MapSurface& maps) {
   for (const MapPiece& piece : maps.pieces) {
     const Box box = box_of(piece);
     const Vec2 cell = cell_of(box);
-    if (!is_inside(box, cell) || cell.x() < 0 || cell.x() >= tiles_across || cell.y() < 0) {
+    if (!is_inside(box, cell) || cell.x() < 0 || cell.x() >= tiles_across || cell.y() < 0 ||
+        cell.y() >= tiles_up) {
       return false;
     }
     beyond_first |= !cell.isZero();
@@ -129,6 +156,13 @@ std::vector<MapSheet> sheets_of_material(const MapSurface& maps, std::int32_t ma
 double overlap_of(const MapSurface& maps, const std::vector<MapSheet>& sheets) {
   std::int64_t covered = 0, twice = 0;
   for (const MapSheet& sheet : sheets) {
+    double layers = 0;
+    std::int32_t last = -1;
+    for (const PlacedPiece& placed : sheet.pieces) {
+      if (placed.piece != last) layers += uv_area(maps.pieces[placed.piece]);
+      last = placed.piece;
+    }
+    if (!(layers <= most_layers)) return 1;
     const TexelOwners owners(maps.pieces, sheet.pieces, looked_at);
     covered += owners.covered();
     twice += owners.overlapping();
@@ -167,7 +201,7 @@ UvLayout uv_layout(const MapSurface& maps, bool by_material, const Context& cont
   if (layout.sheets.size() > 1) make_names_distinct(layout.sheets);
   if (overlapping > unseen_overlap) {
     layout.warnings.push_back(fmt::format(
-        "the UVs overlap (maps): {:.2g} % of the covered texels belong to several places of the "
+        "the UVs overlap (maps): {:.3g} % of the covered texels belong to several places of the "
         "surface and show the first one; unwrap it without overlap",
         100 * overlapping));
   }
