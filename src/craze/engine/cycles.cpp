@@ -74,6 +74,10 @@ bool starts_too_late(const std::vector<double>& onset, double max_load) {
          std::all_of(onset.begin(), onset.end(), [&](double o) { return o >= max_load; });
 }
 
+bool leaves_nothing(const std::vector<double>& mask) {
+  return !mask.empty() && std::none_of(mask.begin(), mask.end(), [](double m) { return m > 0; });
+}
+
 void start(LastCycle& last, const SimulationSurface& surface,
            const SimulationParameters& parameters, const Textures& textures, HealedCracks healed,
            const Context& context) {
@@ -81,6 +85,7 @@ void start(LastCycle& last, const SimulationSurface& surface,
   TriangleMesh mesh(surface.mesh.positions, surface.mesh.triangles, surface.period);
   SimulationFields fields = initial_fields(surface, mesh, parameters, textures, context);
   last.unstressed = has_no_stress(fields, parameters);
+  last.closed = leaves_nothing(surface.mask);
   last.staggered = is_staggered(fields.onset);
   last.unloaded = starts_too_late(fields.onset, parameters.evolution.max_load);
   fields.healed = std::move(healed);

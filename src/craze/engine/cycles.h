@@ -20,6 +20,7 @@ struct LastCycle {
   bool unstressed = false;  ///< no stress anywhere, now or later: nothing can crack
   bool staggered = false;   ///< places start to be loaded apart from each other
   bool unloaded = false;    ///< no place starts to be loaded before max_load: likewise
+  bool closed = false;      ///< the surface's mask leaves no face that may crack: likewise
   double prepare = 0;       ///< seconds spent on fields and first criteria, of all cycles together
   std::size_t coarser = 0;  ///< 0: it cracked `surface`; i: coarser[i − 1], where it was stopped
 };

@@ -38,12 +38,6 @@ void warn_of_unused_unit(Report& report, const SurfaceMesh& surface) {
   report.warnings.push_back("the file says its own unit, which stands (mesh.unit)");
 }
 
-void warn_of_empty_mask(Report& report, const std::vector<double>& mask) {
-  if (mask.empty()) return;
-  if (std::any_of(mask.begin(), mask.end(), [](double m) { return m > 0; })) return;
-  report.warnings.push_back("nothing can crack (where): it leaves no triangle of the surface");
-}
-
 /// What settling wants of a run that has ended, and of the report so far.
 void grow_into(CrackedSurface& state, SpacedRun run, const Report& report,
                const Yardstick& yardstick) {
@@ -93,7 +87,6 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   }
   report.recipe = std::move(run.recipe);
   report.simulation = count_mesh(run.surface.mesh);
-  warn_of_empty_mask(report, run.surface.mask);
   report.stop_reason = to_string(run.last.reason);
   report.load = run.last.simulation->load();
   report.time.prepare = run.prepare + run.last.prepare;

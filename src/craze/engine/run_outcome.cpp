@@ -61,6 +61,9 @@ void warn_of_roughness(Report& report, const Recipe& recipe, const RoughNetwork&
 }
 
 void add_run_warnings(Report& report, const LastCycle& last, const Simulation& simulation) {
+  if (last.closed) {
+    report.warnings.push_back("nothing can crack (where): it leaves no triangle of the surface");
+  }
   if (last.unstressed) {
     // In equilibrium from the start: not wrong, but seldom what was wanted.
     report.warnings.push_back(
@@ -87,10 +90,7 @@ void add_run_warnings(Report& report, const LastCycle& last, const Simulation& s
   }
   const bool ended = last.reason == StopReason::equilibrium || last.reason == StopReason::max_load;
   if (ended && report.cracks.segments == 0) {
-    const bool is_told = std::any_of(
-        report.warnings.begin(), report.warnings.end(),
-        [](const std::string& warning) { return warning.starts_with("nothing can crack"); });
-    if (!is_told) {
+    if (!last.closed && !last.unstressed && !last.unloaded) {
       report.warnings.push_back(
           "no crack opened (stress): the surface holds; start from a preset, or give more stress, "
           "more evolution.max_load, or less layer.spacing than parts are large");
