@@ -35,11 +35,6 @@ struct MappedScene {
   std::map<std::int32_t, std::int32_t> materials;  ///< of the surface to the document's
 };
 
-std::set<std::int32_t> used_materials(const SurfaceMesh& mesh) {
-  if (mesh.face_materials.empty()) return {-1};
-  return {mesh.face_materials.begin(), mesh.face_materials.end()};
-}
-
 /// The document itself, where the scene is one.
 MappedScene mapped_scene(const SceneUvs& uvs) {
   MappedScene result{uvs.document, {}};
@@ -187,11 +182,7 @@ class MaterialMaps : public MapSink {
     if (!any) return;
     MapSurface whole;
     whole.surface = uvs_->surface;
-    for (std::size_t f = 0; f < whole.surface.triangles.size(); ++f) {
-      const std::vector<Vec2>& uvs = whole.surface.corner_uvs;
-      whole.pieces.push_back(
-          {static_cast<std::int32_t>(f), 0, {uvs[3 * f], uvs[3 * f + 1], uvs[3 * f + 2]}});
-    }
+    whole.pieces = faces_as_pieces(whole.surface.corner_uvs);
     const MapSheet sheet = sheets_of_material(whole, material_, false).at(0);
     RelaidPictures relaid = relaid_pictures(pictures, from, whole, sheet, size, context_);
     pictures = std::move(relaid.pictures);

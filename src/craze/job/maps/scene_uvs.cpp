@@ -44,11 +44,6 @@ std::set<std::int32_t> cracked_materials(const Result& result) {
   return cracked;
 }
 
-std::set<std::int32_t> used_materials(const SurfaceMesh& surface) {
-  if (surface.face_materials.empty()) return {-1};
-  return {surface.face_materials.begin(), surface.face_materials.end()};
-}
-
 /// The document's corners at those of the surface.
 std::vector<Vec2> on_surface(const std::vector<Vec2>& corners, const SurfaceOrigin& origin) {
   std::vector<Vec2> result;
@@ -110,14 +105,6 @@ class Chooser {
  private:
   bool is_of(std::int32_t material, std::size_t f) const {
     return surface_.face_materials.empty() || surface_.face_materials[f] == material;
-  }
-  std::vector<MapPiece> faces_as_pieces(const std::vector<Vec2>& uvs) const {
-    std::vector<MapPiece> pieces;
-    for (std::size_t f = 0; f < surface_.triangles.size(); ++f) {
-      pieces.push_back(
-          {static_cast<std::int32_t>(f), 0, {uvs[3 * f], uvs[3 * f + 1], uvs[3 * f + 2]}});
-    }
-    return pieces;
   }
 
   const SurfaceMesh& surface_;
@@ -191,6 +178,7 @@ std::vector<Vec2> atlases(const GltfDocument& document, const std::set<std::int3
 }
 
 const char* text(Chooser::Fault fault) {
+  if (fault == Chooser::Fault::flat) return "have no area";
   return fault == Chooser::Fault::overlap ? "overlap" : "are missing";
 }
 

@@ -10,6 +10,16 @@
 
 namespace craze {
 
+std::vector<MapPiece> faces_as_pieces(const std::vector<Vec2>& corner_uvs) {
+  std::vector<MapPiece> pieces;
+  for (std::size_t f = 0; 3 * f < corner_uvs.size(); ++f) {
+    pieces.push_back({static_cast<std::int32_t>(f),
+                      0,
+                      {corner_uvs[3 * f], corner_uvs[3 * f + 1], corner_uvs[3 * f + 2]}});
+  }
+  return pieces;
+}
+
 MapSurface map_surface(const Result& result, const PostParameters& post, const Context& context) {
   return map_surface(result, *result.state().surface, post, context);
 }

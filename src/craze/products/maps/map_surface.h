@@ -57,6 +57,9 @@ struct MapSurface {
   const std::vector<Triangle>& neighbours() const { return is_tile() ? joined : surface.triangles; }
 };
 
+/// Whole faces, whose corners have these UVs (3 #F).
+std::vector<MapPiece> faces_as_pieces(const std::vector<Vec2>& corner_uvs);
+
 /// `post`: where it curls, pieces are small enough to bend (bend_refinement.h). Throws
 /// Error(request) where there are no UVs, and Cancelled.
 MapSurface map_surface(const Result& result, const PostParameters& post, const Context& context);

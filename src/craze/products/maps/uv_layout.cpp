@@ -134,6 +134,11 @@ void make_names_distinct(std::vector<MapSheet>& sheets) {
 
 }  // namespace
 
+std::set<std::int32_t> used_materials(const SurfaceMesh& surface) {
+  if (surface.face_materials.empty()) return {-1};
+  return {surface.face_materials.begin(), surface.face_materials.end()};
+}
+
 bool has_tiles(const MapSurface& maps) {
   bool beyond_first = false;
   for (const MapPiece& piece : maps.pieces) {
