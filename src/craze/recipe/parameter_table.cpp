@@ -355,7 +355,7 @@ std::vector<Parameter> make_table() {
            {.help = "distance between the points of a rough line, at most; 0: 1/16 of the usual "
                     "length of a crack, more where that makes over 262144 points",
             .unit = "length"})
-      .add("face_roughness", &PostParameters::face_roughness, not_negative,
+      .add("face_roughness", &PostParameters::face_roughness, {0, 10},
            {.help = "how rough broken faces are in depth, over the roughness of the cracks' lines: "
                     "walls of gaps and of solid pieces then have rows of points in depth. 1: alike "
                     "in all directions, 0: flat"})

@@ -116,12 +116,8 @@ void flatten_chips(const std::vector<Vec3>& positions, const std::vector<double>
 std::vector<std::string> roughen_faces(const CrackedSurface& state, const TriangleMesh& mesh,
                                        PostParameters post, std::uint64_t seed, OpenedMesh& opened,
                                        const Context& context) {
-  if (!(post.face_roughness > 0) || state.network.edges.empty()) return {};
-  if (!(post.wall > 0 || post.thickness > 0)) {
-    return {
-        "there are no faces to be rough (post.face_roughness): give post.wall or "
-        "post.thickness"};
-  }
+  const bool is_there = post.wall > 0 || post.thickness > 0;
+  if (!(post.face_roughness > 0) || !is_there || state.network.edges.empty()) return {};
   resolve_roughness(post, state.network);
   if (!(post.roughness > 0)) {
     return {
@@ -192,6 +188,10 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
     surface.warnings.emplace_back(
         "the cracks are shut and have no rims to chip (post.chipping): maps show chips; for a mesh "
         "give post.gap or post.gap_width");
+  }
+  if (post.face_roughness > 0 && post.wall == 0 && post.thickness == 0) {
+    surface.warnings.emplace_back(
+        "there are no faces to be rough (post.face_roughness): give post.wall or post.thickness");
   }
   if (post.gap == 0 && post.wall == 0 && post.thickness == 0) {
     surface.opened = unopened(cut);
