@@ -16,8 +16,8 @@ if(CRAZE_APP)
 endif()
 
 # All that C++ programs link, in one archive that needs nothing but the C++ library and threads.
-add_library(craze_archive STATIC $<TARGET_OBJECTS:craze_core> $<TARGET_OBJECTS:craze_engine>
-  $<TARGET_OBJECTS:craze_io> $<TARGET_OBJECTS:craze_own_executor>)
+add_library(craze_archive STATIC $<TARGET_OBJECTS:craze_core> $<TARGET_OBJECTS:craze_recipe>
+  $<TARGET_OBJECTS:craze_engine> $<TARGET_OBJECTS:craze_io> $<TARGET_OBJECTS:craze_own_executor>)
 set_target_properties(craze_archive PROPERTIES OUTPUT_NAME craze EXPORT_NAME craze LINKER_LANGUAGE CXX)
 target_compile_features(craze_archive PUBLIC cxx_std_20)
 target_compile_definitions(craze_archive PUBLIC EIGEN_DONT_VECTORIZE)
