@@ -43,6 +43,15 @@ TEST(MassProperties, TurnAndMoveWithTheSolid) {
   EXPECT_TRUE(moved.inertia.isApprox(turn * still.inertia * turn.transpose(), 1e-9));
 }
 
+TEST(MassProperties, HaveAnInertiaThatIsSymmetricToTheLastBit) {
+  for (int i = 1; i < 20; ++i) {
+    SurfaceMesh mesh = box({0.1 * i, 0.7, 1.3});
+    mesh.positions[i % 8] += Vec3(0.31, -0.17 * i, 0.23);  // off the mean
+    const Mat3 inertia = mass_properties(mesh.positions, mesh.triangles).inertia;
+    EXPECT_EQ(inertia, Mat3(inertia.transpose())) << i;
+  }
+}
+
 TEST(MassProperties, ChangeTheirSignWhereTheSurfaceIsTurnedInsideOut) {
   SurfaceMesh mesh = make_shape("sphere?n=8");
   const MassProperties mass = mass_properties(mesh.positions, mesh.triangles);

@@ -27,7 +27,8 @@ MassProperties mass_properties(const std::vector<Vec3>& positions,
   if (mass.volume == 0) return mass;
   const Vec3 offset = first / 24 / mass.volume;
   mass.centre += offset;
-  const Mat3 moments = second / 120 - mass.volume * (offset * offset.transpose());
+  const Mat3 square = offset * offset.transpose();  // alone: symmetric to the last bit
+  const Mat3 moments = second / 120 - mass.volume * square;
   mass.inertia = moments.trace() * Mat3::Identity() - moments;
   return mass;
 }
