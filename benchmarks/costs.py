@@ -44,7 +44,8 @@ CASES = {
 def cost(craze, arguments, folder):
     command = ["valgrind", "--tool=cachegrind", "--cache-sim=yes", *CACHES,
                "--cachegrind-out-file=/dev/null", craze, "crack", *arguments, "--threads", "1",
-               "--quiet", "--no-warnings", "-o", str(folder / "cracked.ply")]
+               "--quiet", "--no-warnings", "--set", "post.relative_roughness=0",
+               "-o", str(folder / "cracked.ply")]
     run = subprocess.run(command, capture_output=True, text=True, env={"PATH": "/usr/bin:/bin"})
     if run.returncode != 0:
         sys.exit(f"failed: {' '.join(command)}\n{run.stderr}")

@@ -42,7 +42,8 @@ class Runner:
         path = self.path(source)
         if path is None:
             return None
-        asked = [path, "--preset", preset, "--seed", str(seed)]
+        # The lines as they were simulated, without the roughness put on them.
+        asked = [path, "--preset", preset, "--seed", str(seed), "--set", "post.relative_roughness=0"]
         for key, value in sorted(settings.items()):
             asked += ["--set", f"{key.replace('__', '.')}={value}"]
         name = hashlib.sha256("\n".join([self.program, *asked]).encode()).hexdigest()[:24]

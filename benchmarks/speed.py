@@ -40,6 +40,7 @@ class Bench:
         simulated."""
         report = self.folder / "report.json"
         command = [self.craze, "crack", source, "--preset", preset, "--quiet",
+                   "--set", "post.relative_roughness=0",
                    "--report", str(report), "-o", str(self.folder / "cracked.ply")]
         if threads:
             command += ["--threads", str(threads)]

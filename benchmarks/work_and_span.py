@@ -51,6 +51,7 @@ class Run:
     def __init__(self, craze, source, preset, settings, folder):
         # With one thread there is nothing that runs loops.
         command = [craze, "crack", source, "--preset", preset, "--quiet", "--no-warnings",
+                   "--set", "post.relative_roughness=0",
                    "--threads", str(max(CORES)), "-o", os.path.join(folder, "cracked.ply")]
         for s in settings:
             command += ["--set", s]

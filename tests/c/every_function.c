@@ -343,6 +343,7 @@ static void a_run_gives_what_it_should(void) {
   EXPECT(craze_job_set_preset(job, "mud", NULL) == CRAZE_OK);
   EXPECT(craze_job_set(job, "seed", "7", NULL) == CRAZE_OK);
   EXPECT(craze_job_set(job, "mesh.edge", "\"keep\"", NULL) == CRAZE_OK);
+  EXPECT(craze_job_set(job, "post.relative_roughness", "0", NULL) == CRAZE_OK);
   a_text(craze_job_recipe(job, NULL), "\"seed\":7");
   a_text(craze_job_recipe_toml(job, NULL), "seed = 7");
   EXPECT(craze_job_set_threads(job, 1, NULL) == CRAZE_OK);

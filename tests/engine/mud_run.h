@@ -1,4 +1,4 @@
-// Mud on a built-in shape, with settings of a test's own.
+// Mud with smooth lines on a built-in shape, with settings of a test's own.
 #pragma once
 
 #include <memory>
@@ -18,6 +18,7 @@ inline Result mud_run(const std::string& shape, const std::vector<std::string>& 
                       int threads = 1) {
   Recipe recipe = read_preset("mud");
   recipe.simulation.layer.spacing = 0.14;
+  recipe.post.relative_roughness = 0;
   Context context;
   context.threads = threads;
   return crack({std::make_shared<SurfaceMesh>(make_shape(shape)), {}, shape},
