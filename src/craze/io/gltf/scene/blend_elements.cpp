@@ -11,6 +11,8 @@ namespace craze {
 namespace {
 
 constexpr std::size_t most_components = 16, float_type = 5126;
+/// How far weights of 8 bits may add up beside 1.
+constexpr double rounded_sum = 0.01;
 
 bool is_same_everywhere(const GltfElements& elements, const VertexBlend& blend) {
   for (int i = 1; i < blend.size(); ++i) {
@@ -44,8 +46,8 @@ void append_vertex(std::vector<JointSet>& sets,
   }
 }
 
-/// What the stored weights of the last vertex lack to 1 is given to the heaviest.
-void correct_sum(std::vector<JointSet>& sets) {
+/// What the stored weights of the last vertex lack to their sum is given to the heaviest.
+void correct_sum(std::vector<JointSet>& sets, double wanted) {
   const std::size_t vertex = sets[0].weights.count - 1;
   double sum = 0;
   for (const JointSet& set : sets) {
@@ -53,7 +55,7 @@ void correct_sum(std::vector<JointSet>& sets) {
   }
   double weights[4];
   for (std::size_t k = 0; k < 4; ++k) weights[k] = sets[0].weights.value(vertex, k);
-  weights[0] += 1 - sum;
+  weights[0] += wanted - sum;
   sets[0].weights.set(vertex, weights);
 }
 
@@ -110,14 +112,17 @@ void append_joints(std::vector<JointSet>& sets, const std::vector<CutVertices::V
       }
     }
     std::vector<std::pair<double, double>> joints(weight_of.begin(), weight_of.end());
+    double wanted = 0;
+    for (const auto& joint : joints) wanted += joint.second;
+    if (std::abs(wanted - 1) <= rounded_sum) wanted = 1;
     std::stable_sort(joints.begin(), joints.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });
     joints.resize(std::min(joints.size(), 4 * sets.size()));
     double sum = 0;
     for (const auto& joint : joints) sum += joint.second;
-    for (auto& joint : joints) joint.second /= sum;
+    for (auto& joint : joints) joint.second = joint.second / sum * wanted;
     append_vertex(sets, joints);
-    if (!joints.empty()) correct_sum(sets);
+    if (!joints.empty()) correct_sum(sets, wanted);
   }
 }
 

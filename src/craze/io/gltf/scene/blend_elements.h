@@ -22,7 +22,8 @@ struct JointSet {
 };
 
 /// Appends the joints of each blend: the heaviest that there is room for in all sets together,
-/// their weights scaled to the sum 1.
+/// their weights scaled to the sum 1, or to what the sums of its corners are there where a file has
+/// others than 1: viewers move new vertices as far as the old ones beside them.
 void append_joints(std::vector<JointSet>& sets, const std::vector<CutVertices::Vertex>& vertices);
 
 }  // namespace craze
