@@ -55,11 +55,22 @@ void view_attribute(craze_array& view, const std::vector<Attribute>& attributes,
 void view_array(craze_array& view, const SurfaceMesh& mesh, std::string_view name) {
   if (name == "vertices") return view_rows(view, mesh.positions, 3, CRAZE_FLOAT64);
   if (name == "faces") return view_rows(view, mesh.triangles, 3, CRAZE_INT32);
-  if (name == "uv") return view_rows(view, mesh.corner_uvs, 2, CRAZE_FLOAT64);
-  if (name == "normals") return view_rows(view, mesh.corner_normals, 3, CRAZE_FLOAT64);
-  if (name == "colors") return view_rows(view, mesh.vertex_colors, 4, CRAZE_FLOAT32);
-  if (name == "materials") return view_rows(view, mesh.face_materials, 1, CRAZE_INT32);
-  if (name == "source_faces") return view_rows(view, mesh.source_faces, 1, CRAZE_INT32);
+  const auto is_there = [&](const char* wanted, const auto& rows) {
+    return name == wanted && !rows.empty();
+  };
+  if (is_there("uv", mesh.corner_uvs)) return view_rows(view, mesh.corner_uvs, 2, CRAZE_FLOAT64);
+  if (is_there("normals", mesh.corner_normals)) {
+    return view_rows(view, mesh.corner_normals, 3, CRAZE_FLOAT64);
+  }
+  if (is_there("colors", mesh.vertex_colors)) {
+    return view_rows(view, mesh.vertex_colors, 4, CRAZE_FLOAT32);
+  }
+  if (is_there("materials", mesh.face_materials)) {
+    return view_rows(view, mesh.face_materials, 1, CRAZE_INT32);
+  }
+  if (is_there("source_faces", mesh.source_faces)) {
+    return view_rows(view, mesh.source_faces, 1, CRAZE_INT32);
+  }
   if (starts_with(name, vertex_prefix)) {
     return view_attribute(view, mesh.vertex_attributes,
                           std::string(name.substr(vertex_prefix.size())));
@@ -78,8 +89,9 @@ void check_rows(std::string_view name, int64_t rows, std::size_t wanted, int32_t
                 std::to_string(rows) + " given, " + std::to_string(wanted) + " needed");
   }
   if (columns < 1 || (wanted_columns > 0 && columns != wanted_columns)) {
+    const std::string wanted = wanted_columns > 0 ? std::to_string(wanted_columns) : "at least 1";
     throw Error(ErrorKind::usage, "wrong number of columns", std::string(name),
-                std::to_string(columns) + " given, " + std::to_string(wanted_columns) + " needed");
+                std::to_string(columns) + " given, " + wanted + " needed");
   }
 }
 

@@ -120,7 +120,8 @@ CRAZE_API void craze_mesh_free(craze_mesh* mesh);
  *   "source_faces" m rows of 1: what the cut mesh gives as "face:source_face"; the faces themselves
  *                  where it is not set
  *   "vertex:NAME"  n rows of any number of columns; "vertex:color" takes 4, linear RGBA in 0 ... 1,
- * or 3 "face:NAME"    m rows of any number of columns */
+ *                  or 3
+ *   "face:NAME"    m rows of any number of columns */
 CRAZE_API craze_status craze_mesh_set(craze_mesh* mesh, const char* name, const double* values,
                                       int64_t rows, int32_t columns, craze_error* error);
 

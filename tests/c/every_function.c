@@ -134,6 +134,7 @@ static void a_mesh_keeps_what_it_is_given(const char* folder) {
   EXPECT_ERROR(craze_mesh_array(mesh, "vertex:none", &array, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_mesh_array(mesh, "none", &array, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_mesh_array(mesh, "faces", NULL, e), CRAZE_USAGE);
+  EXPECT_ERROR(craze_mesh_array(mesh, "normals", &array, e), CRAZE_USAGE); /* it has none */
   EXPECT_ERROR(craze_mesh_fragment_count(mesh, e), CRAZE_REQUEST);
   EXPECT(craze_mesh_fragment_count(mesh, NULL) == -1);
   EXPECT_ERROR(craze_mesh_fragments(mesh, NULL, 0, e), CRAZE_REQUEST);
