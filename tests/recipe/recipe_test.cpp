@@ -255,6 +255,8 @@ TEST(Set, ErrorsNameTheSetting) {
             "unknown key material.tougness (--set material.tougness=1): did you mean "
             "material.toughness?");
   EXPECT_NE(set_error("material.alpha=2").find("in [0, 1]"), std::string::npos);
+  EXPECT_NE(set_error("seed=9007199254740993").find("= 9007199254740993 is out of range"),
+            std::string::npos);
   EXPECT_NE(set_error("material.alpha=high").find("a number"), std::string::npos);
   EXPECT_NE(set_error("material.alpha=").find("a number"), std::string::npos);
   EXPECT_NE(set_error("material.alpha=1\nseed=2").find("a number"), std::string::npos);

@@ -57,6 +57,12 @@ std::string shortened(const std::string& text) {
   return text.substr(0, end) + (end < text.size() ? "..." : "");
 }
 
+/// Ranges are doubles; what lies just beyond one that a double holds may round into it.
+bool is_whole_in_double(std::int64_t x) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  return -most <= x && x <= most;
+}
+
 }  // namespace
 
 void check_value(const Parameter& p, const ParameterValue& value, const std::string& key,
@@ -77,7 +83,12 @@ void check_value(const Parameter& p, const ParameterValue& value, const std::str
   };
   if (const auto* real = std::get_if<double>(&value)) check_number(*real);
   if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-    check_number(static_cast<double>(*integer));
+    const auto x = static_cast<double>(*integer);
+    check_number(x);
+    if (!is_whole_in_double(*integer)) {
+      fail(fmt::format("{} = {} is out of range", key, *integer),
+           "must be " + range_in_words(p.range, p.type));
+    }
   }
   if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
     for (const double x : *numbers) check_number(x);
