@@ -25,7 +25,9 @@ void add_texture(CLI::App& app, Action& action);
 void add_presets(CLI::App& app, Action& action);
 void add_parameters(CLI::App& app, Action& action);
 
-/// For options that take a number of 0 or more.
+/// For options that take a number: any finite one, one of 0 or more, one from low to high.
+CLI::Validator any_number();
 CLI::Validator not_negative();
+CLI::Validator number_in(double low, double high);
 
 }  // namespace craze::app

@@ -118,7 +118,7 @@ void add_growth(CLI::App& verb, RunRequest& request) {
       ->group(group);
   verb.add_option("--seconds", request.clip_seconds, "Length of --animate and --video")
       ->type_name("S")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_in(0.1, 3600))
       ->capture_default_str()
       ->group(group);
 }

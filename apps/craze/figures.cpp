@@ -8,6 +8,7 @@
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/figure_run.h"
+#include "craze/render/picture.h"
 #include "run_options.h"
 #include "terminal/interrupt.h"
 
@@ -71,7 +72,7 @@ void add_figures(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   verb->add_option("--size", options->request.size, "Longer side of the pictures, pixels")
       ->type_name("N")
-      ->check(CLI::Range(1, 16384))
+      ->check(CLI::Range(1, render::PictureOptions::largest_size))
       ->capture_default_str();
   add_run_options(*verb, options->run, "No progress, and no table on standard output");
   verb->footer(figure_list() +

@@ -1,17 +1,38 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "app.h"
 
 namespace craze::app {
 
-CLI::Validator not_negative() {
+namespace {
+
+/// CLI11's own ranges take NaN, which compares with nothing.
+CLI::Validator number_that(const std::function<bool(double)>& fits, const std::string& must) {
   return CLI::Validator(
-      [](std::string& text) {
+      [=](std::string& text) -> std::string {
         double value = 0;
-        // NaN compares with nothing.
-        return CLI::detail::lexical_cast(text, value) && value >= 0
-                   ? std::string()
-                   : text + " is out of range: must be at least 0";
+        if (!CLI::detail::lexical_cast(text, value)) return text + " is not a number";
+        if (std::isfinite(value) && fits(value)) return {};
+        return text + " is out of range: must be " + must;
       },
       "");
+}
+
+}  // namespace
+
+CLI::Validator any_number() {
+  return number_that([](double) { return true; }, "finite");
+}
+
+CLI::Validator not_negative() {
+  return number_that([](double value) { return value >= 0; }, "at least 0");
+}
+
+CLI::Validator number_in(double low, double high) {
+  return number_that([=](double value) { return value >= low && value <= high; },
+                     fmt::format("{} to {}", low, high));
 }
 
 }  // namespace craze::app

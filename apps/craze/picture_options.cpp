@@ -12,10 +12,12 @@ void add_camera(CLI::App& verb, PictureChoice& choice) {
   render::PictureOptions& picture = choice.picture;
   verb.add_option("--width", picture.width, "Pixels")
       ->type_name("N")
+      ->check(CLI::Range(1, render::PictureOptions::largest_size))
       ->capture_default_str()
       ->group(group);
   verb.add_option("--height", picture.height, "Pixels")
       ->type_name("N")
+      ->check(CLI::Range(1, render::PictureOptions::largest_size))
       ->capture_default_str()
       ->group(group);
   verb.add_option("--samples", picture.samples, "Per pixel")
@@ -25,20 +27,21 @@ void add_camera(CLI::App& verb, PictureChoice& choice) {
       ->group(group);
   verb.add_option("--azimuth", picture.view.azimuth, "Degrees around the vertical")
       ->type_name("DEG")
+      ->check(any_number())
       ->group(group);
   verb.add_option("--elevation", picture.view.elevation, "Degrees above the horizon")
       ->type_name("DEG")
-      ->check(CLI::Range(-90.0, 90.0))
+      ->check(number_in(-90, 90))
       ->group(group);
   verb.add_option("--fov", picture.view.field_of_view,
                   "Vertical field of view; a wide one is nearer, so that all is still seen")
       ->type_name("DEG")
-      ->check(CLI::Range(1.0, 120.0))
+      ->check(number_in(1, 120))
       ->capture_default_str()
       ->group(group);
   verb.add_option("--zoom", picture.view.zoom, "2: half as much is seen, twice as large")
       ->type_name("X")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(number_in(0.01, 1000))
       ->capture_default_str()
       ->group(group);
   verb.add_option_function<std::vector<double>>(
@@ -53,7 +56,7 @@ void add_camera(CLI::App& verb, PictureChoice& choice) {
   verb.add_option("--aperture", picture.view.aperture,
                   "Of the lens, as a part of the object's size; what is out of focus blurs")
       ->type_name("X")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_in(0, 1))
       ->capture_default_str()
       ->group(group);
   verb.add_option_function<std::vector<double>>(
@@ -86,6 +89,7 @@ void add_scene(CLI::App& verb, PictureChoice& choice) {
   CLI::Option* light = verb.add_option("--light", picture.light.azimuth,
                                        "Where the lamp stands: degrees to the right of the camera")
                            ->type_name("DEG")
+                           ->check(any_number())
                            ->group(group);
   CLI::Option* environment =
       verb.add_option("--environment", choice.environment,
@@ -96,17 +100,17 @@ void add_scene(CLI::App& verb, PictureChoice& choice) {
   verb.add_option("--environment-turn", picture.environment.turn,
                   "Degrees to the right; 0: its middle is ahead of the camera")
       ->type_name("DEG")
-      ->check(CLI::Range(-360.0, 360.0))
+      ->check(number_in(-360, 360))
       ->needs(environment)
       ->group(group);
   verb.add_option("--light-elevation", picture.light.elevation, "Degrees above the horizon")
       ->excludes(environment)
       ->type_name("DEG")
-      ->check(CLI::Range(-90.0, 90.0))
+      ->check(number_in(-90, 90))
       ->group(group);
   verb.add_option("--exposure", picture.exposure, "1: as it is, 2: twice as bright")
       ->type_name("X")
-      ->check(CLI::Range(0.01, 100.0))
+      ->check(number_in(0.01, 100))
       ->capture_default_str()
       ->group(group);
   verb.add_flag_callback(

@@ -27,6 +27,15 @@ TEST_F(Errors, WrongUsageExitsWithTwo) {
   expect_error({"render", "shape:cup", "-o", "a.png", "--background", "blue"}, 2, "606a78");
   expect_error({"render", "shape:cup", "-o", "a.png", "--material", "marble"}, 2, "plaster");
   expect_error({"render", "shape:cup", "-o", "a.png", "--zoom", "0"}, 2, "--zoom");
+  for (const char* option : {"--azimuth", "--elevation", "--fov", "--zoom", "--aperture", "--light",
+                             "--exposure", "--line-width"}) {
+    expect_error({"render", "shape:cup", "-o", "a.png", option, "nan"}, 2, option);
+    expect_error({"render", "shape:cup", "-o", "a.png", option, "wide"}, 2, "not a number");
+  }
+  for (const char* option : {"--width", "--height"}) {
+    expect_error({"render", "shape:cup", "-o", "a.png", option, "0"}, 2, option);
+    expect_error({"render", "shape:cup", "-o", "a.png", option, "16385"}, 2, option);
+  }
 }
 
 TEST_F(Errors, AFailedRunExitsWithOne) {

@@ -83,7 +83,7 @@ void check_light(const PictureOptions& options) {
 }
 
 void check(const SurfaceMesh& mesh, const CrackLines* lines, const PictureOptions& options) {
-  const auto size_is_good = [](int n) { return n >= 1 && n <= 16384; };
+  const auto size_is_good = [](int n) { return n >= 1 && n <= PictureOptions::largest_size; };
   if (!size_is_good(options.width) || !size_is_good(options.height)) {
     refuse(std::to_string(options.width) + " x " + std::to_string(options.height),
            "the size must be 1 to 16384 pixels");

@@ -19,7 +19,9 @@
 namespace craze::render {
 
 struct PictureOptions {
-  int width = 1280, height = 960;  ///< pixels
+  static constexpr int largest_size = 16384;
+
+  int width = 1280, height = 960;  ///< pixels, 1 to largest_size
   int samples = 16;                ///< per pixel, rounded up to a multiple of 16
   View view;
   /// What the camera frames, what stands on the floor and what sizes are measured by, for pictures
