@@ -41,6 +41,12 @@ def made(plan):
         return list(craze.dataset.samples(Path(folder, "set")))
 
 
+class NoSet(unittest.TestCase):
+    def test_is_an_error_and_no_empty_one(self):
+        with tempfile.TemporaryDirectory() as folder, self.assertRaises(FileNotFoundError):
+            next(craze.dataset.samples(folder))
+
+
 def projected(camera, points):
     """Pixels and depths of points: K [R | t]."""
     matrix = np.array(camera["world_to_camera"])

@@ -131,6 +131,16 @@ class Products(Case):
         self.assert_error("gap", "request", self.result.opened, gap=float("nan"))
         self.assert_error("wrong gap", "usage", self.result.opened, gap="wide")
 
+    def test_lengths_of_an_opening_may_have_units(self):
+        low, high = self.result.mesh.vertices.min(axis=0), self.result.mesh.vertices.max(axis=0)
+        wall = 0.02 * np.linalg.norm(high - low)
+        by_share = self.result.opened(gap=0.1, wall="2%")
+        self.assertTrue(np.allclose(by_share.vertices,
+                                    self.result.opened(gap=0.1, wall=wall).vertices, atol=1e-12))
+        self.assertEqual(len(self.result.fragments(thickness="1%")),
+                         len(self.result.fragments()))
+        self.assert_error("wall", "usage", self.result.opened, wall="2 parsecs")
+
     def test_roughness_changes_without_cracking_again_to_the_bytes_of_a_run_that_had_it(self):
         rough = {"post.roughness": 0.01, "post.gap": 0.1, "post.wall": 0.02}
         fresh = cracked(**rough)

@@ -71,9 +71,9 @@ class Result:
     def opened(
         self,
         gap: float | None = None,
-        wall: float | None = None,
+        wall: float | str | None = None,
         curl: float | None = None,
-        thickness: float | None = None,
+        thickness: float | str | None = None,
         core: bool | None = None,
         **post: Any,
     ) -> Mesh:
@@ -83,7 +83,7 @@ class Result:
         lift of the edges over their displacement; thickness : each fragment is a closed solid so
         deep, instead of walls; 0: none; core : what is left inside a closed surface is one too;
         post : any other key of [post], such as roughness, relative_roughness or late_width.
-        Raises Error.
+        Lengths are numbers, in model units, or texts with a unit: "2%", "3mm". Raises Error.
         """
         opening = self._open(gap, wall, curl, thickness, core, post)
         return Mesh._of(Handle(call("craze_opening_mesh", opening.pointer), "craze_mesh_free"))
@@ -91,9 +91,9 @@ class Result:
     def warnings(
         self,
         gap: float | None = None,
-        wall: float | None = None,
+        wall: float | str | None = None,
         curl: float | None = None,
-        thickness: float | None = None,
+        thickness: float | str | None = None,
         core: bool | None = None,
         **post: Any,
     ) -> list[str]:
@@ -105,9 +105,9 @@ class Result:
         self,
         t: float,
         gap: float | None = None,
-        wall: float | None = None,
+        wall: float | str | None = None,
         curl: float | None = None,
-        thickness: float | None = None,
+        thickness: float | str | None = None,
         core: bool | None = None,
         **post: Any,
     ) -> npt.NDArray[np.float64]:
@@ -123,12 +123,12 @@ class Result:
         watched(move, lock=opening.lock)
         return positions
 
-    def fragments(self, thickness: float | None = None, core: bool | None = None) -> list[Mesh]:
+    def fragments(self, thickness: float | str | None = None, core: bool | None = None) -> list[Mesh]:
         """The parts of `mesh`, in the order of its face attribute `fragment`. With a thickness,
         given here or by the recipe, they are closed solids, their cracks as open as the recipe
         says, and a core is the last of them. Raises Error."""
-        post = self._summary["recipe"]["post"]
-        if real(post["thickness"] if thickness is None else thickness, "thickness") == 0:
+        given = self._summary["recipe"]["post"]["thickness"] if thickness is None else thickness
+        if not isinstance(given, str) and real(given, "thickness") == 0:
             return self.mesh.fragments()
         return self.opened(thickness=thickness, core=core).fragments()
 
@@ -177,9 +177,9 @@ class Result:
     def _open(
         self,
         gap: float | None,
-        wall: float | None,
+        wall: float | str | None,
         curl: float | None,
-        thickness: float | None,
+        thickness: float | str | None,
         core: bool | None,
         others: Mapping[str, Any],
     ) -> Handle:
@@ -187,8 +187,8 @@ class Result:
         for name, value in (("gap", gap), ("wall", wall), ("curl", curl), ("thickness", thickness)):
             if value is None:
                 continue
-            post[name] = real(value, name)
-            if not math.isfinite(post[name]):
+            post[name] = value if isinstance(value, str) else real(value, name)
+            if not isinstance(value, str) and not math.isfinite(post[name]):
                 raise Error(f"wrong {name} ({shown(value)}): must be finite", "request")
         if core is not None:
             post["core"] = bool(core)

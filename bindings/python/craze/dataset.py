@@ -71,7 +71,9 @@ def samples(folder: str | Path) -> Iterator[dict[str, Any]]:
     """Each sample of the archives that are whole, in order: arrays "image", "mask", "coverage",
     "width", "distance", "depth" (pixels and model units), "normal", "crack", "fragment", where the
     plan asks for clouds "points" as records (read_cloud), and "json" as a dict. Only one sample is
-    in memory."""
+    in memory. FileNotFoundError where there is no such set."""
+    if not Path(folder, "shards").is_dir():
+        raise FileNotFoundError(f"no dataset in {folder}: it has no folder shards")
     for marker in sorted(Path(folder, "shards").glob("[0-9]*.json")):
         if marker.name.endswith(".coco.json"):
             continue
