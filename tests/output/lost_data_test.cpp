@@ -66,5 +66,15 @@ TEST(LostData, OfASurfaceWithoutAnyIsNone) {
   }
 }
 
+TEST(ReplacedData, AreTheOwnAttributesThatHaveTheNamesOfARuns) {
+  EXPECT_EQ(describe_replaced_data(full()),
+            "attributes that the surface had are replaced by those of this run: 'crack_time', "
+            "'fragment'");
+  SurfaceMesh bare = full();
+  bare.vertex_attributes.clear();
+  bare.face_attributes.clear();
+  EXPECT_EQ(describe_replaced_data(bare), "");
+}
+
 }  // namespace
 }  // namespace craze

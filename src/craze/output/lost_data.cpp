@@ -15,6 +15,16 @@ constexpr std::array<std::string_view, 7> added{"crack_distance", "crack_time", 
                                                 "displacement",   "openness",   "fragment",
                                                 "source_face"};
 
+bool is_added(std::string_view name) {
+  return std::find(added.begin(), added.end(), name) != added.end();
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 bool counts(const SourceScene* scene, std::string_view kind) {
   if (!scene) return false;
   const std::vector<SceneContent> contents = scene->contents();
@@ -25,7 +35,7 @@ bool counts(const SourceScene* scene, std::string_view kind) {
 void name_attributes(const std::vector<Attribute>& attributes, const char* of, bool without_colors,
                      std::vector<std::string>& lost) {
   for (const Attribute& a : attributes) {
-    if (std::find(added.begin(), added.end(), a.name) != added.end()) continue;
+    if (is_added(a.name)) continue;
     const bool is_color = a.name == "red" || a.name == "green" || a.name == "blue";
     if (without_colors && is_color) continue;
     lost.push_back(std::string(of) + " attribute '" + a.name + "'");
@@ -52,9 +62,18 @@ std::string describe_lost_data(const SurfaceMesh& surface, std::string_view form
   if (is_stl || is_obj || is_glb) name_attributes(surface.face_attributes, "face", is_stl, lost);
   if (lost.empty()) return {};
   std::string sentence = "not kept of the surface, since ." + std::string(format);
-  sentence += " has no place for them: " + lost[0];
-  for (std::size_t i = 1; i < lost.size(); ++i) sentence += ", " + lost[i];
-  return sentence;
+  return sentence + " has no place for them: " + listed(lost);
+}
+
+std::string describe_replaced_data(const SurfaceMesh& surface) {
+  std::vector<std::string> replaced;
+  for (const auto* attributes : {&surface.vertex_attributes, &surface.face_attributes}) {
+    for (const Attribute& a : *attributes) {
+      if (is_added(a.name)) replaced.push_back("'" + a.name + "'");
+    }
+  }
+  if (replaced.empty()) return {};
+  return "attributes that the surface had are replaced by those of this run: " + listed(replaced);
 }
 
 }  // namespace craze

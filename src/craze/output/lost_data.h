@@ -16,4 +16,8 @@ class SourceScene;  // read_mesh.h
 std::string describe_lost_data(const SurfaceMesh& surface, std::string_view format,
                                const SourceScene* scene);
 
+/// One sentence that names the surface's own attributes whose names a run's take (those of a
+/// cracked file that is cracked again, say); empty where there are none.
+std::string describe_replaced_data(const SurfaceMesh& surface);
+
 }  // namespace craze

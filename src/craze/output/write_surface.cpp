@@ -62,6 +62,8 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Opene
                    const Result& result, const SourceFile& source,
                    const SurfaceFileOptions& options, const Context& context) {
   tell_lost(path, *result.state().surface, source, options);
+  const std::string replaced = describe_replaced_data(*result.state().surface);
+  if (options.warn && !replaced.empty()) options.warn(replaced);
   const Recipe& recipe = result.report().recipe;
   std::vector<MaterialLook> looks;
   MeshFileOptions file = options_of(path, source, options, looks);
