@@ -10,7 +10,7 @@ import craze
 
 SOURCE = Path(os.environ.get("CRAZE_SOURCE_DIR", Path(__file__).parents[2]))
 COMMAND = os.environ.get("CRAZE_COMMAND", "")
-KEEP = {"mesh.edge": "keep"}
+KEEP = {"mesh.edge": "keep", "post.relative_roughness": 0}
 
 
 def plate(n=8):
