@@ -1,19 +1,14 @@
 #include "craze/output/lost_data.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "craze/io/source_scene.h"
+#include "craze/mesh/run_attributes.h"
 
 namespace craze {
 
 namespace {
-
-/// Attributes that every run adds.
-constexpr std::array<std::string_view, 7> added{"crack_distance", "crack_time", "crack_growth",
-                                                "displacement",   "openness",   "fragment",
-                                                "source_face"};
 
 bool counts(const SourceScene* scene, std::string_view kind) {
   if (!scene) return false;
@@ -25,7 +20,7 @@ bool counts(const SourceScene* scene, std::string_view kind) {
 void name_attributes(const std::vector<Attribute>& attributes, const char* of, bool without_colors,
                      std::vector<std::string>& lost) {
   for (const Attribute& a : attributes) {
-    if (std::find(added.begin(), added.end(), a.name) != added.end()) continue;
+    if (is_run_attribute(a.name)) continue;
     const bool is_color = a.name == "red" || a.name == "green" || a.name == "blue";
     if (without_colors && is_color) continue;
     lost.push_back(std::string(of) + " attribute '" + a.name + "'");

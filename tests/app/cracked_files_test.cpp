@@ -1,0 +1,74 @@
+// A cracked file read again: its cracks are those of the run, and its seams are none.
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "craze/io/image/read_image.h"
+#include "craze/read_mesh.h"
+
+namespace craze {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+class CrackedFiles : public CommandTest {
+ protected:
+  /// Cracks `input` into file after file and expects the numbers of the run's report in each.
+  void expect_numbers_of_the_run(const std::string& input, const Arguments& formats,
+                                 const Arguments& more) {
+    for (const std::string& format : formats) {
+      Arguments arguments{"crack", input,      "-o",          "cut." + format, "--preset",
+                          "mud",   "--report", "report.json", "--quiet"};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      ASSERT_EQ(run(arguments).code, 0);
+      const auto report = nlohmann::json::parse(read_text(file("report.json")))["statistics"];
+      const CommandResult result = run({"stats", "cut." + format, "--json"});
+      ASSERT_EQ(result.code, 0) << result.err;
+      const auto read = nlohmann::json::parse(result.out);
+      EXPECT_GT(report["counts"]["junctions"], 5) << input;
+      EXPECT_EQ(report["counts"], read["counts"]) << input << " " << format;
+      const double length = report["crack_length"];
+      EXPECT_NEAR(read["crack_length"], length, (format == "glb" ? 1e-6 : 1e-12) * length);
+    }
+  }
+};
+
+TEST_F(CrackedFiles, StatisticsAreThoseOfTheRunThoughTexturesHaveSeams) {
+  const Arguments coarse{"--set", "layer.relative_spacing=0.2"};
+  expect_numbers_of_the_run("shape:cube?n=4", {"ply", "glb", "obj"}, coarse);
+  expect_numbers_of_the_run("shape:torus?n=14", {"ply", "glb"}, coarse);
+}
+
+TEST_F(CrackedFiles, StatisticsAreThoseOfTheRunWhereOneSideOfACrackIsSplit) {
+  expect_numbers_of_the_run("shape:plate?n=60&jitter=0.3", {"ply", "obj"},
+                            {"--set", "layer.relative_spacing=0.1", "--set", "mesh.edge=\"keep\""});
+}
+
+TEST_F(CrackedFiles, PiecesAsObjectsAreParted) {
+  expect_numbers_of_the_run("shape:cube?n=4", {"obj", "glb"},
+                            {"--fragments", "--set", "layer.relative_spacing=0.2"});
+}
+
+TEST_F(CrackedFiles, MasksOfACubeAreThoseOfTheRun) {
+  ASSERT_EQ(
+      run({"crack", "shape:cube?n=4", "--preset", "mud", "--set", "layer.relative_spacing=0.15",
+           "-o", "cut.ply", "--maps", "one", "--map", "mask", "--map-size", "128", "--quiet"})
+          .code,
+      0);
+  const CommandResult result =
+      run({"bake", "cut.ply", "-o", "two", "--map", "mask", "--map-size", "128", "--quiet"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const Image one = read_image_file(file("one") / "mask.png"),
+              two = read_image_file(file("two") / "mask.png");
+  int cracked = 0, differ = 0;
+  for (int y = 0; y < 128; ++y) {
+    for (int x = 0; x < 128; ++x) {
+      cracked += one.value(x, y, 0) > 0.1;
+      differ += std::abs(one.value(x, y, 0) - two.value(x, y, 0)) > 0.01;
+    }
+  }
+  EXPECT_GT(cracked, 1000);
+  EXPECT_LT(differ, cracked / 100);  // where faces are cut, distances are unfolded over other edges
+}
+
+}  // namespace
+}  // namespace craze
