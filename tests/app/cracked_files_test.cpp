@@ -30,6 +30,26 @@ class CrackedFiles : public CommandTest {
       EXPECT_NEAR(read["crack_length"], length, (format == "glb" ? 1e-6 : 1e-12) * length);
     }
   }
+
+  /// Two plates of quads in one file, "left" and "right", apart.
+  void write_two_plates(const std::string& name, int n) {
+    std::ofstream obj(file(name));
+    for (int plate = 0; plate < 2; ++plate) {
+      obj << "o " << (plate == 0 ? "left" : "right") << "\n";
+      for (int y = 0; y <= n; ++y) {
+        for (int x = 0; x <= n; ++x) {
+          obj << "v " << 1.5 * plate + x / double(n) << " " << y / double(n) << " 0\n";
+        }
+      }
+      const int first = 1 + plate * (n + 1) * (n + 1);
+      for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) {
+          const int a = first + y * (n + 1) + x;
+          obj << "f " << a << " " << a + 1 << " " << a + n + 2 << " " << a + n + 1 << "\n";
+        }
+      }
+    }
+  }
 };
 
 TEST_F(CrackedFiles, StatisticsAreThoseOfTheRunThoughTexturesHaveSeams) {
@@ -68,6 +88,31 @@ TEST_F(CrackedFiles, MasksOfACubeAreThoseOfTheRun) {
   }
   EXPECT_GT(cracked, 1000);
   EXPECT_LT(differ, cracked / 100);  // where faces are cut, distances are unfolded over other edges
+}
+
+TEST_F(CrackedFiles, APartOfAGlbThatNoCrackTouchesHasNone) {
+  write_two_plates("two.obj", 8);
+  ASSERT_EQ(run({"crack", "two.obj", "-o", "two.glb", "--max-cracks", "0", "--quiet"}).code, 0);
+  expect_numbers_of_the_run(
+      "two.glb", {"glb"},
+      {"--set", "where.nodes=[\"right\"]", "--set", "layer.relative_spacing=0.07"});
+  const SurfaceMesh mesh = read_mesh_file(file("cut.glb")).mesh;
+  const Attribute* distance = find_attribute(mesh.vertex_attributes, "crack_distance");
+  const Attribute* time = find_attribute(mesh.vertex_attributes, "crack_time");
+  const Attribute* growth = find_attribute(mesh.vertex_attributes, "crack_growth");
+  ASSERT_TRUE(distance && time && growth);
+  int left = 0;
+  double latest = -1;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    latest = std::max(latest, time->values[v]);
+    if (mesh.positions[v].x() > 1.2) continue;
+    ++left;
+    EXPECT_NEAR(distance->values[v], std::sqrt(2.5 * 2.5 + 1), 1e-6) << "as in a PLY: the diagonal";
+    EXPECT_EQ(time->values[v], -1);
+    EXPECT_EQ(growth->values[v], -1);
+  }
+  EXPECT_EQ(left, 81);
+  EXPECT_GT(latest, 0) << "the other has cracked";
 }
 
 }  // namespace
