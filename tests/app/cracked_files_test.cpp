@@ -115,5 +115,62 @@ TEST_F(CrackedFiles, APartOfAGlbThatNoCrackTouchesHasNone) {
   EXPECT_GT(latest, 0) << "the other has cracked";
 }
 
+/// How many faces have one colour and one label at all their corners.
+int flat_faces(const SurfaceMesh& mesh) {
+  const Attribute* label = find_attribute(mesh.vertex_attributes, "label");
+  int flat = 0;
+  for (const Triangle& t : mesh.triangles) {
+    bool same = true;
+    for (const std::int32_t v : t) {
+      same = same && mesh.vertex_colors[v] == mesh.vertex_colors[t[0]];
+      same = same && (!label || label->values[v] == label->values[t[0]]);
+    }
+    flat += same;
+  }
+  return flat;
+}
+
+TEST_F(CrackedFiles, FlatColoursAndLabelsStayFlat) {
+  constexpr int n = 3;
+  std::ofstream ply(file("flat.ply"));
+  ply << "ply\nformat ascii 1.0\nelement vertex " << 6 * n * n
+      << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+         "property uchar green\nproperty uchar blue\nproperty float label\nelement face "
+      << 2 * n * n << "\nproperty list uchar int vertex_indices\nend_header\n";
+  const int corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+  for (int q = 0; q < n * n; ++q) {
+    for (int c = 0; c < 6; ++c) {
+      const int triangle = 2 * q + c / 3;
+      ply << q % n + corners[c][0] << " " << q / n + corners[c][1] << " 0 "
+          << (triangle % 2 ? "255 0 0 " : "0 255 0 ") << triangle << "\n";
+    }
+  }
+  for (int f = 0; f < 2 * n * n; ++f)
+    ply << "3 " << 3 * f << " " << 3 * f + 1 << " " << 3 * f + 2 << "\n";
+  ply.close();
+  for (const char* format : {"ply", "glb", "obj"}) {
+    for (const Arguments& more :
+         {Arguments{"--max-cracks", "0"}, Arguments{"--set", "layer.relative_spacing=0.1"},
+          Arguments{"--set", "layer.relative_spacing=0.1", "--set", "post.gap=0.05", "--set",
+                    "post.wall=0.05"}}) {
+      const std::string cut = std::string("cut.") + format;
+      Arguments arguments{"crack", "flat.ply", "-o", cut, "--preset", "mud", "--quiet"};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      ASSERT_EQ(run(arguments).code, 0);
+      const SurfaceMesh mesh = read_mesh_file(file(cut)).mesh;
+      ASSERT_FALSE(mesh.vertex_colors.empty());
+      EXPECT_EQ(find_attribute(mesh.vertex_attributes, "label") != nullptr, cut != "cut.obj");
+      EXPECT_GE(mesh.triangles.size(), 2u * n * n);
+      EXPECT_EQ(flat_faces(mesh), static_cast<int>(mesh.triangles.size())) << cut << more.back();
+    }
+  }
+  expect_numbers_of_the_run("flat.ply", {"ply", "glb", "obj"},
+                            {"--set", "layer.relative_spacing=0.1"});
+  const CommandResult result =
+      run({"crack", "flat.ply", "-o", "cut.ply", "--preset", "mud", "--quiet", "--set",
+           "layer.relative_spacing=0.2", "--set", "mesh.output=\"simulation\""});
+  EXPECT_NE(result.err.find("vertices that lie at one place"), std::string::npos) << result.err;
+}
+
 }  // namespace
 }  // namespace craze
