@@ -33,6 +33,8 @@ struct CrackedSurface {
   std::shared_ptr<const SurfaceMesh> surface;
   /// Per face of `surface`, where in the input it lies; null where it was remeshed.
   std::shared_ptr<const SurfaceOrigin> surface_origin;
+  /// Colours and vertex attributes that `surface` has lost (welded_values.h), or null.
+  std::shared_ptr<const SurfaceMesh> lost_values;
   std::shared_ptr<const Simulation> simulation;  ///< stopped: its cut mesh, its stress, its times
   std::shared_ptr<const GrownRun> run;
   std::shared_ptr<const CrackedAsset> asset;  ///< null: mesh() is the simulation's

@@ -8,6 +8,7 @@
 #include "craze/engine/place_impacts.h"
 #include "craze/engine/settle.h"
 #include "craze/engine/spacing_rounds.h"
+#include "craze/engine/welded_values.h"
 #include "craze/error.h"
 #include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/repair/traced_repair.h"
@@ -69,6 +70,7 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   report.input = count_mesh(*input.surface);
   context.report({"repair", 0, 0, report.input.triangles});
   TracedSurface traced = repaired(input, report, context);
+  const std::shared_ptr<const SurfaceMesh> lost_values = lost_by_welding(*input.surface, traced);
   input.surface.reset();
   const Yardstick yardstick{bounding_diagonal(traced.surface.positions), unit};
   report.recipe = with_own_lengths(report.recipe, yardstick);
@@ -100,6 +102,7 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   if (report.recipe.mesh.output == OutputMesh::asset) {
     state->surface_origin = std::make_shared<const SurfaceOrigin>(std::move(traced.origin));
   }
+  state->lost_values = lost_values;
   const std::vector<Vec3> smooth = std::move(run.surface.smooth);
   grow_into(*state, std::move(run), report, yardstick);
   const Result settled = settle(state, state->run->report.recipe.post, smooth, onward);

@@ -128,6 +128,7 @@ Result with_post(const Result& result, const PostParameters& post, const Context
   auto again = std::make_shared<CrackedSurface>();
   again->surface = state.surface;
   again->surface_origin = state.surface_origin;
+  again->lost_values = state.lost_values;
   again->simulation = state.simulation;
   again->run = state.run;
   Report report = settle(again, recipe.post, smooth, context).report();

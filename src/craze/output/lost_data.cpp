@@ -1,23 +1,14 @@
 #include "craze/output/lost_data.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "craze/io/source_scene.h"
+#include "craze/mesh/run_attributes.h"
 
 namespace craze {
 
 namespace {
-
-/// Attributes that every run adds.
-constexpr std::array<std::string_view, 7> added{"crack_distance", "crack_time", "crack_growth",
-                                                "displacement",   "openness",   "fragment",
-                                                "source_face"};
-
-bool is_added(std::string_view name) {
-  return std::find(added.begin(), added.end(), name) != added.end();
-}
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
@@ -35,7 +26,7 @@ bool counts(const SourceScene* scene, std::string_view kind) {
 void name_attributes(const std::vector<Attribute>& attributes, const char* of, bool without_colors,
                      std::vector<std::string>& lost) {
   for (const Attribute& a : attributes) {
-    if (is_added(a.name)) continue;
+    if (is_run_attribute(a.name)) continue;
     const bool is_color = a.name == "red" || a.name == "green" || a.name == "blue";
     if (without_colors && is_color) continue;
     lost.push_back(std::string(of) + " attribute '" + a.name + "'");
@@ -69,7 +60,7 @@ std::string describe_replaced_data(const SurfaceMesh& surface) {
   std::vector<std::string> replaced;
   for (const auto* attributes : {&surface.vertex_attributes, &surface.face_attributes}) {
     for (const Attribute& a : *attributes) {
-      if (is_added(a.name)) replaced.push_back("'" + a.name + "'");
+      if (is_run_attribute(a.name)) replaced.push_back("'" + a.name + "'");
     }
   }
   if (replaced.empty()) return {};

@@ -4,8 +4,10 @@
 
 #include "craze/engine/cracked_surface.h"
 #include "craze/io/files/extension.h"
+#include "craze/io/gltf/scene/gltf_document.h"
 #include "craze/io/mesh_formats.h"
 #include "craze/output/lost_data.h"
+#include "craze/output/split_values.h"
 #include "craze/products/opening/crack_edges.h"
 #include "craze/products/opening/opened_origin.h"
 #include "craze/products/opening/shading_normals.h"
@@ -84,12 +86,35 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Opene
   if (shown.shut && file.objects.empty() && recipe.post.lines != ShutCracks::none) {
     file.crack_edges = crack_edges(result, shown);
   }
-  if (lower_extension(path) != ".glb" || !mesh.corner_normals.empty()) {
-    write_mesh(path, mesh, file, context);
+  const std::string extension = lower_extension(path);
+  const bool is_glb = extension == ".glb";
+  SplitSurface split;
+  const SurfaceMesh* written = &mesh;
+  MorphAnimation animation;
+  const SurfaceMesh* lost = result.state().lost_values.get();
+  // A scene that is kept has its own vertices.
+  const bool keeps = is_glb && dynamic_cast<const GltfDocument*>(source.scene.get());
+  if (keeps || extension == ".stl") lost = nullptr;
+  if (lost && origin.face.size() == mesh.triangles.size()) {
+    SurfaceMesh held = *lost;
+    if (extension == ".obj") held.vertex_attributes.clear();  // which it has no place for
+    split = with_values_of_input(mesh, shown.mesh, held, origin);
+    written = &split.mesh;
+    if (file.animation) {
+      animation = of_split(*file.animation, split);
+      file.animation = &animation;
+    }
+  } else if (lost && options.warn && origin.face.empty()) {
+    options.warn(
+        "colours or attributes differ between vertices that lie at one place: the first one's are "
+        "kept, as mesh.output = \"asset\" would keep all");
+  }
+  if (!is_glb || !mesh.corner_normals.empty()) {
+    write_mesh(path, *written, file, context);
     return;
   }
   // Viewers shade a GLB without normals flat.
-  SurfaceMesh shaded = mesh;
+  SurfaceMesh shaded = *written;
   shaded.corner_normals = shading_normals(shown, result, options.crease);
   write_mesh(path, shaded, file, context);
 }

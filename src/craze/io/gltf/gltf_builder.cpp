@@ -11,6 +11,7 @@
 
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/polygons/polygon_soup.h"
+#include "craze/mesh/bounding_diagonal.h"
 
 namespace craze {
 
@@ -20,6 +21,14 @@ constexpr std::size_t triangles_mode = 4, strip_mode = 5, fan_mode = 6;
 constexpr Color white{1, 1, 1, 1};
 /// Of a primitive's JSON, that cost as much as a vertex.
 constexpr std::size_t characters_per_vertex = 64;
+/// Stands for the mesh's size until that is known.
+constexpr double far_away = std::numeric_limits<double>::infinity();
+
+/// What an attribute is on primitives that lack it: as a run says that there is no crack, else 0.
+double missing_value(const std::string& attribute) {
+  if (attribute == "crack_distance") return far_away;
+  return attribute == "crack_time" || attribute == "crack_growth" ? -1 : 0;
+}
 
 }  // namespace
 
@@ -229,7 +238,7 @@ void GltfBuilder::extend(Attribute& attribute, std::size_t vertices) {
   const std::size_t size = static_cast<std::size_t>(attribute.components) * vertices;
   if (size <= attribute.values.size()) return;
   spend(size - attribute.values.size());
-  attribute.values.resize(size, 0.0);
+  attribute.values.resize(size, missing_value(attribute.name));
 }
 
 void GltfBuilder::add_attribute(const std::string& key, const Values& values, std::size_t base) {
@@ -265,7 +274,11 @@ SurfaceMesh GltfBuilder::finish() {
   // Where some primitives lack what others have, its default stands in.
   const std::size_t count = mesh_.positions.size();
   if (!mesh_.vertex_colors.empty()) mesh_.vertex_colors.resize(count, white);
-  for (Attribute& a : mesh_.vertex_attributes) extend(a, count);
+  for (Attribute& a : mesh_.vertex_attributes) {
+    extend(a, count);
+    if (missing_value(a.name) != far_away) continue;
+    std::replace(a.values.begin(), a.values.end(), far_away, bounding_diagonal(mesh_.positions));
+  }
   if (!uvs_.empty()) uvs_.resize(count, Vec2::Zero());
   if (!normals_.empty()) normals_.resize(count, Vec3::Zero());
   for (const Triangle& t : mesh_.triangles) {

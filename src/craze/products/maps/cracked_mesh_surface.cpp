@@ -8,7 +8,7 @@
 #include "craze/error.h"
 #include "craze/maps.h"
 #include "craze/mesh/components.h"
-#include "craze/products/distance/seams.h"
+#include "craze/products/distance/crack_seams.h"
 #include "craze/products/maps/map_surface.h"
 #include "craze/repair.h"
 
@@ -166,21 +166,6 @@ const Attribute* attribute(const SurfaceMesh& mesh, const char* name, int compon
   return found && found->components == components ? found : nullptr;
 }
 
-/// Sides that are open because of a crack: where the file knows the distance to the cracks, other
-/// edges that lie on each other are seams of textures.
-std::vector<std::int32_t> crack_sides_of(const SurfaceMesh& open, const TriangleMesh& mesh) {
-  std::vector<std::int32_t> sides = seam_sides(mesh);
-  const Attribute* distance = attribute(open, "crack_distance", 1);
-  if (!distance) return sides;
-  sides.erase(std::remove_if(sides.begin(), sides.end(),
-                             [&](std::int32_t h) {
-                               return distance->values[mesh.from(h)] > 0 ||
-                                      distance->values[mesh.to(h)] > 0;
-                             }),
-              sides.end());
-  return sides;
-}
-
 /// The surface with its cracks open but with no seam of its UVs.
 void cut_along_cracks(MapSurface& maps) {
   TriangleMesh cut(maps.surface.positions, maps.surface.triangles);
@@ -212,7 +197,7 @@ MapSurface map_surface(const SurfaceMesh& cracked, const PostParameters& post,
   RepairReport report;
   SurfaceMesh open = repair(cracked, {-1}, report, context);
   const TriangleMesh mesh(open.positions, open.triangles);
-  const std::vector<std::int32_t> sides = crack_sides_of(open, mesh);
+  const std::vector<std::int32_t> sides = crack_seams(open, mesh);
   if (sides.empty()) {
     throw Error(ErrorKind::request, "no cracks to bake", "open edges",
                 "the mesh has no open edges that lie on each other; of a mesh whose cracks were "

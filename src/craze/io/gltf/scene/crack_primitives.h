@@ -45,8 +45,8 @@ void add_line_node(const Showing& showing, Json primitives, SceneOutput& output)
 /// Takes out of a primitive how its triangles were given: mode, compression.
 void forget_form(Json& primitive);
 
-/// The cut mesh's vertex attributes that the document's surface had not, as `_NAME`; −1 for
-/// vertices without owner. owner: the cut mesh's vertex of each.
+/// The cut mesh's vertex attributes that the run added or the document's surface had not, as
+/// `_NAME`; −1 for vertices without owner. owner: the cut mesh's vertex of each.
 void add_crack_attributes(const CutScene& cut, const std::vector<std::int32_t>& owner,
                           PrimitiveVertices& vertices);
 

@@ -3,6 +3,7 @@
 #include "craze/io/gltf/glb_mesh.h"
 #include "craze/io/gltf/scene/loose_primitive.h"
 #include "craze/io/gltf/scene/scene_growth.h"
+#include "craze/mesh/run_attributes.h"
 
 namespace craze {
 
@@ -20,7 +21,7 @@ void add_crack_attributes(const CutScene& cut, const std::vector<std::int32_t>& 
   const std::vector<std::string>& known = cut.document().attributes();
   for (const Attribute& a : cut.mesh().vertex_attributes) {
     const bool is_old = std::find(known.begin(), known.end(), a.name) != known.end();
-    if (is_old || a.components > 4) continue;
+    if ((is_old && !is_run_attribute(a.name)) || a.components > 4) continue;
     GltfElements elements;
     elements.components = static_cast<std::size_t>(a.components);
     constexpr double nowhere[] = {-1, -1, -1, -1};

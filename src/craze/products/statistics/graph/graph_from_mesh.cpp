@@ -2,8 +2,10 @@
 #include <map>
 #include <numeric>
 
+#include "craze/products/distance/crack_seams.h"
 #include "craze/products/statistics/graph/graph_input.h"
 #include "craze/products/statistics/graph/point_index.h"
+#include "craze/repair.h"
 
 namespace craze {
 namespace {
@@ -121,64 +123,51 @@ CrackGraphInput graph_from_network(const CrackNetwork& network, const TriangleMe
   return graph;
 }
 
-CrackGraphInput graph_from_cut_mesh(const SurfaceMesh& mesh) {
-  CrackGraphInput graph;
-  PointIndex welded;
-  std::vector<std::int32_t> point_of;
-  for (const Vec3& p : mesh.positions) point_of.push_back(welded.add(p));
+CrackGraphInput graph_from_cut_mesh(const SurfaceMesh& file, const Context& context) {
+  RepairOptions keep_apart;
+  keep_apart.tolerance = -1;
+  RepairReport report;
+  const SurfaceMesh surface = repair(file, keep_apart, report, context);
+  const TriangleMesh mesh(surface.positions, surface.triangles);
+  const std::vector<KnownSeam> seams = known_seams(surface, mesh);
 
-  struct Side {
-    std::array<std::int32_t, 2> ends;  // welded, smaller first
-    std::int32_t face, from, to;       // vertices, in the face's order
-  };
-  std::vector<Side> sides;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    for (int i = 0; i < 3; ++i) {
-      const std::int32_t from = mesh.triangles[f][i], to = mesh.triangles[f][(i + 1) % 3];
-      const auto [low, high] = std::minmax(point_of[from], point_of[to]);
-      if (low != high) sides.push_back({{low, high}, static_cast<std::int32_t>(f), from, to});
-    }
+  Pieces pieces(mesh.face_count());
+  std::vector<char> is_seam(3 * static_cast<std::size_t>(mesh.face_count()), 0);
+  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+    if (mesh.opposite(h) != TriangleMesh::border) pieces.join(h / 3, mesh.opposite(h) / 3);
   }
-  std::stable_sort(sides.begin(), sides.end(),
-                   [](const Side& s, const Side& t) { return s.ends < t.ends; });
-
-  Pieces pieces(mesh.triangles.size());
-  std::vector<std::pair<Side, const Side*>> open;  // a side of the graph, and its other side
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t j = i;
-    while (j < sides.size() && sides[j].ends == sides[i].ends) ++j;
-    if (j - i == 1) {
-      open.emplace_back(sides[i], nullptr);
-    } else if (j - i == 2) {
-      const Side& s = sides[i];
-      const Side& t = sides[i + 1];
-      if (std::minmax(s.from, s.to) == std::minmax(t.from, t.to)) {
-        pieces.join(s.face, t.face);
-      } else {
-        open.emplace_back(s, &t);
-      }
-    }
-    i = j;
+  for (const auto& [seam, kind] : seams) {
+    if (kind == SeamKind::border) continue;
+    is_seam[seam.side] = is_seam[seam.other] = 1;
+    if (kind == SeamKind::joined) pieces.join(seam.side / 3, seam.other / 3);
   }
   const std::vector<std::int32_t> piece = pieces.labels();
-  const Attribute* time = find_attribute(mesh.vertex_attributes, "crack_time");
+
+  CrackGraphInput graph;
+  const Attribute* time = find_attribute(surface.vertex_attributes, "crack_time");
   PointIndex index;
-  for (const auto& [side, other] : open) {
-    GraphInputEdge edge;
-    edge.a = index.add(mesh.positions[side.from]);
-    edge.b = index.add(mesh.positions[side.to]);
-    edge.border = other == nullptr;
-    edge.left_piece = piece[side.face];
-    if (other) {
-      edge.right_piece = piece[other->face];
-      if (time) edge.time = std::max(time->values[side.from], time->values[side.to]);
-    }
-    graph.edges.push_back(edge);
+  const auto add_edge = [&](std::int32_t from, std::int32_t to,
+                            std::int32_t side) -> GraphInputEdge& {
+    GraphInputEdge& edge = graph.edges.emplace_back();
+    edge.a = index.add(mesh.position(from));
+    edge.b = index.add(mesh.position(to));
+    edge.left_piece = piece[side / 3];
+    return edge;
+  };
+  for (const auto& [seam, kind] : seams) {
+    if (kind != SeamKind::crack) continue;
+    GraphInputEdge& edge = add_edge(seam.from, seam.to, seam.side);
+    edge.right_piece = piece[seam.other / 3];
+    if (time) edge.time = std::max(time->values[seam.from], time->values[seam.to]);
   }
-  add_areas(graph, mesh.positions, mesh.triangles, piece);
+  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+    if (mesh.opposite(h) != TriangleMesh::border || is_seam[h]) continue;
+    add_edge(mesh.from(h), mesh.to(h), h).border = true;
+  }
+  add_areas(graph, mesh.positions(), mesh.triangles(), piece);
   PointIndex lookup = index;
   graph.points = index.take();
-  add_normals(graph, lookup, mesh.positions, mesh.triangles);
+  add_normals(graph, lookup, mesh.positions(), mesh.triangles());
   return graph;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "craze/context.h"
 #include "craze/line_set.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/crack_network.h"
@@ -59,10 +60,10 @@ CrackGraphInput graph_from_lines(const LineSet& lines);
 /// A finished run: its cracks, with the border and the fragments of the mesh that it cut.
 CrackGraphInput graph_from_network(const CrackNetwork& network, const TriangleMesh& cut_mesh);
 
-/// A cracked mesh from a file. An edge whose two faces have the same end positions but not the same
-/// vertices is a crack; an edge with one face is border. Reads the vertex attribute "crack_time"
-/// (an edge opened at the later time of its ends). Meshes whose cracks were opened into gaps have
-/// no such edges: give their lines instead.
-CrackGraphInput graph_from_cut_mesh(const SurfaceMesh& mesh);
+/// A cracked mesh from a file. An open edge that lies on another is a crack or a seam of textures,
+/// as known_seams() tells (distance/crack_seams.h); one by itself is border. Reads the vertex
+/// attribute "crack_time" (an edge opened at the later time of its ends). Meshes whose cracks were
+/// opened into gaps have no such edges: give their lines instead. Throws what repair() does.
+CrackGraphInput graph_from_cut_mesh(const SurfaceMesh& mesh, const Context& context = {});
 
 }  // namespace craze
