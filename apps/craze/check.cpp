@@ -100,7 +100,8 @@ nlohmann::ordered_json parts_json(const std::vector<PartBox>& parts) {
 std::string contents_text(const std::vector<SceneContent>& contents) {
   constexpr std::size_t most_names = 8;
   std::string text;
-  for (const auto& [kind, names] : contents) {
+  for (const SceneContent& content : contents) {
+    const std::vector<std::string>& names = content.names;
     std::string list;
     for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i) {
       if (!names[i].empty()) list += (list.empty() ? "" : ", ") + names[i];
@@ -108,7 +109,7 @@ std::string contents_text(const std::vector<SceneContent>& contents) {
     if (!list.empty()) {
       list = fmt::format(" ({}{})", list, names.size() > most_names ? ", ..." : "");
     }
-    text += fmt::format("{} in the file: {}{}\n", kind, names.size(), list);
+    text += fmt::format("{} in the file: {}{}\n", content.kind, names.size(), list);
   }
   return text;
 }
@@ -138,7 +139,7 @@ std::string as_text(const Checked& checked) {
 
 nlohmann::ordered_json contents_json(const std::vector<SceneContent>& contents) {
   nlohmann::ordered_json all = nlohmann::ordered_json::object();
-  for (const auto& [kind, names] : contents) all[kind] = names;
+  for (const SceneContent& content : contents) all[content.kind] = content.names;
   return all;
 }
 

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "callback_context.h"
+#include "craze/output/named_nodes.h"
 #include "craze/presets.h"
 #include "craze/recipe/recipe_json.h"
 #include "craze/recipe/set_key.h"
@@ -119,7 +120,9 @@ craze_status craze_job_run(craze_job* job, craze_error* error) {
     OpenedPieces pieces(job->opened, job->opened_user);
     if (job->opened) options.on_opened = [&](const OpenedPiece& piece) { pieces.add(piece); };
     const CallbackContext context(*job);
-    job->result = crack({job->mesh, job->textures, "mesh"}, job->recipe, options, context.get());
+    const Recipe recipe =
+        with_named_nodes(job->recipe, *job->mesh, job->source ? job->source->scene.get() : nullptr);
+    job->result = crack({job->mesh, job->textures, "mesh"}, recipe, options, context.get());
     job->rougher.reset();
     pieces.tell();
     job->cracked_source = job->source;

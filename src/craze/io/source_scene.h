@@ -10,6 +10,13 @@ namespace craze {
 struct SceneContent {
   std::string kind;                ///< plural, as a sentence says it: "animations"
   std::vector<std::string> names;  ///< one each, in the file's order; "" for one without
+  bool tells_names = false;        ///< sentences say them, and not how many there are
+};
+
+/// What an object of the mesh that was read is called besides.
+struct OtherName {
+  std::string name;    ///< which others may have as well
+  std::string object;  ///< its own
 };
 
 /// A file as it stood, for whoever writes its surface again. What is in it is the format's own
@@ -19,6 +26,10 @@ class SourceScene {
   virtual ~SourceScene() = default;
   /// Kinds of which there is at least one thing, in a fixed order.
   virtual std::vector<SceneContent> contents() const = 0;
+  /// Bits of each channel of the colours of vertices: 8, 16, or 32 for fractions; 0: not said.
+  virtual int color_bits() const { return 0; }
+  /// In no certain order.
+  virtual std::vector<OtherName> other_names() const { return {}; }
 };
 
 /// One sentence that names, with their numbers, the kinds of things that are not among `kept`;

@@ -4,15 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/files/extension.h"
 #include "craze/io/files/look_pictures.h"
 #include "craze/io/gltf/gltf.h"
+#include "craze/io/gltf/materials/material_extent.h"
+#include "craze/io/gltf/scene/gltf_document.h"
 #include "craze/io/mesh_formats.h"
 #include "craze/io/obj/looks_library.h"
 #include "craze/io/obj/obj_scene.h"
+#include "craze/io/ply/ply_scene.h"
 #include "craze/io/source_scene.h"
 
 namespace craze {
@@ -60,16 +64,47 @@ void check_options(const MeshFormat* format, const std::string& where, bool obje
 /// Kinds of a scene's contents that the format keeps of that scene.
 std::vector<std::string> kept_kinds(const MeshFormat& format, bool has_own_objects) {
   std::vector<std::string> kept;
-  if (format.name == "ply") kept = {"comments"};
+  if (format.name == "ply")
+    kept = {"comments", "obj_info lines", "pictures of materials", "textures that were not read"};
   if (format.name == "usda") {
-    kept = {"materials", "textures", "images", "material libraries", "pictures of base colours"};
+    kept = {"materials",
+            "textures",
+            "images",
+            "material libraries",
+            "pictures of materials",
+            "textures that were not read"};
   }
   if (format.name == "obj" || format.name == "glb") {
-    kept = {"materials", "textures", "images", "material libraries", "pictures of base colours"};
+    kept = {"materials", "textures", "images", "material libraries", "pictures of materials"};
     if (!has_own_objects) kept.emplace_back("objects and groups");
-    if (!has_own_objects && format.name == "obj") kept.emplace_back("nodes");
+    if (!has_own_objects && format.name == "obj") {
+      kept.emplace_back("nodes");
+      kept.emplace_back("name of the node");
+    }
+    if (format.name == "obj") {
+      kept.emplace_back("of the materials");
+      kept.emplace_back("textures that were not read");
+    }
   }
   return kept;
+}
+
+/// Where there is one node with one mesh, its place is the surface's: only names can be lost.
+void name_the_only_ones(std::vector<SceneContent>& contents) {
+  std::map<std::string, SceneContent*> of;
+  for (SceneContent& content : contents) of[content.kind] = &content;
+  const auto nodes = of.find("nodes"), meshes = of.find("meshes");
+  if (nodes == of.end() || meshes == of.end()) return;
+  SceneContent &node = *nodes->second, &mesh = *meshes->second;
+  if (node.names.size() > 1 || mesh.names.size() > 1) return;
+  if (mesh.names == node.names) mesh.names.clear();
+  node.kind = "name of the node";
+  mesh.kind = "name of the mesh";
+  for (SceneContent* content : {&node, &mesh}) {
+    content->tells_names = true;
+    std::erase(content->names, std::string());
+  }
+  std::erase_if(contents, [](const SceneContent& content) { return content.names.empty(); });
 }
 
 void warn_of_lost(const MeshFormat& format, const SurfaceMesh& mesh,
@@ -78,27 +113,29 @@ void warn_of_lost(const MeshFormat& format, const SurfaceMesh& mesh,
   if (format.name == "glb" && keeps_scene(options)) return;
   std::string target = fmt::format(".{}", format.name);
   if (!options.objects.empty()) target += " with fragments as objects";
-  const std::vector<SceneContent> contents = options.scene->contents();
+  std::vector<SceneContent> contents = options.scene->contents();
+  name_the_only_ones(contents);
   std::vector<std::string> kept = kept_kinds(format, !options.objects.empty());
   if (format.name == "glb" && keeps_nodes(mesh, options)) {
     target += " of another surface than the input's";
-    for (const char* kind : {"nodes", "meshes", "animations", "cameras", "lights"}) {
+    for (const char* kind : {"nodes", "meshes", "name of the node", "name of the mesh",
+                             "animations", "cameras", "lights"}) {
       kept.emplace_back(kind);
     }
   }
   std::string lost = describe_lost(contents, kept, target);
-  const bool simplifies = std::any_of(contents.begin(), contents.end(), [](const auto& content) {
-    return content.kind == "materials";
-  });
-  if (simplifies && (format.name == "obj" || format.name == "usda")) {
+  const auto* document = dynamic_cast<const GltfDocument*>(options.scene.get());
+  const bool is_obj = format.name == "obj";
+  if (document && (is_obj || format.name == "usda") &&
+      says_more(document->root(), is_obj ? MaterialExtent::color : MaterialExtent::surface)) {
     if (lost.empty())
       lost = "not kept of the input, since " + target + " has no place for it: ";
     else
       lost += ", ";
     lost += "what materials have besides ";
-    lost += format.name == "obj" ? "a base colour and its texture"
-                                 : "colour, metalness, roughness, normals, occlusion, emission and "
-                                   "opacity with their textures at the first UVs";
+    lost += is_obj ? "a base colour and its texture"
+                   : "colour, metalness, roughness, normals, occlusion, emission and "
+                     "opacity with their textures at the first UVs";
   }
   if (!lost.empty()) options.warn(lost);
 }
@@ -132,6 +169,9 @@ void write_mesh(const std::filesystem::path& path, const SurfaceMesh& mesh,
   if (obj && extension == ".obj" && options.material_library.empty()) {
     library = library_beside(path, *obj, mesh);
     own.material_library = library.names;
+  }
+  if (const auto* ply = dynamic_cast<const PlyScene*>(options.scene.get())) {
+    own.scene = ply->seen_from(path);
   }
   LookPictures pictures(path);
   std::vector<MaterialLook> looks;

@@ -15,6 +15,7 @@
 #include "craze/job/material_looks.h"
 #include "craze/job/outputs.h"
 #include "craze/model/simulation.h"
+#include "craze/output/named_nodes.h"
 #include "craze/products/report_json.h"
 #include "craze/render/light/environment_file.h"
 
@@ -90,7 +91,9 @@ RunResult run(const RunRequest& request, const Context& context) {
   }
   const double load_time = phase.lap();
 
-  Result result = crack(std::move(loaded.input), request.recipe, {request.max_cracks}, context);
+  const Recipe recipe =
+      with_named_nodes(request.recipe, *loaded.input.surface, loaded.beside.source.scene.get());
+  Result result = crack(std::move(loaded.input), recipe, {request.max_cracks}, context);
   const bool stopped = result.report().stop_reason == to_string(StopReason::cancelled);
   Report report = result.report();
   report.time.load += load_time;

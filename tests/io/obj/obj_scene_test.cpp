@@ -5,6 +5,7 @@
 
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/obj/mtl.h"
+#include "craze/io/obj/obj_scene.h"
 #include "craze/write_mesh.h"
 #include "io/io_test_tools.h"
 
@@ -50,16 +51,17 @@ TEST(Mtl, ColourOpacityAndPictureAreUnderstood) {
   EXPECT_EQ(materials[0].name, "clay");
   EXPECT_EQ(materials[0].color, (std::array{1.0, 0.5, 0.25}));
   EXPECT_EQ(materials[0].opacity, 0.5);
-  EXPECT_EQ(materials[0].color_picture, "tex/clay one.png");
-  EXPECT_EQ(materials[1].color_picture, "");
+  EXPECT_EQ(materials[0].color_picture.name, "tex/clay one.png");
+  EXPECT_EQ(materials[1].color_picture.name, "");
 }
 
 TEST(Mtl, PicturesRepeatUnlessTheyAreClamped) {
-  EXPECT_FALSE(parse_mtl("newmtl a\nmap_Kd a.png\n")[0].is_clamped);
+  EXPECT_FALSE(parse_mtl("newmtl a\nmap_Kd a.png\n")[0].color_picture.is_clamped);
   const auto clamped = parse_mtl("newmtl a\nmap_Kd -clamp on -s 2 2 1 a.png\n");
-  EXPECT_TRUE(clamped[0].is_clamped);
-  EXPECT_EQ(clamped[0].color_picture, "a.png");
-  EXPECT_FALSE(parse_mtl("newmtl a\nmap_Kd -clamp on a.png\nmap_Kd b.png\n")[0].is_clamped);
+  EXPECT_TRUE(clamped[0].color_picture.is_clamped);
+  EXPECT_EQ(clamped[0].color_picture.name, "a.png");
+  EXPECT_FALSE(
+      parse_mtl("newmtl a\nmap_Kd -clamp on a.png\nmap_Kd b.png\n")[0].color_picture.is_clamped);
 }
 
 TEST(Mtl, OpacityIsNeverSaidByTrWhereDSaysIt) {
@@ -79,7 +81,24 @@ TEST(ObjScene, ObjectsGroupsAndTheLibraryAreWrittenAgain) {
   EXPECT_TRUE(holds(text, "mtllib cup.mtl\n")) << "still in reach";
   EXPECT_FALSE(fs::exists(shelf.in / "cracked.mtl"));
   EXPECT_TRUE(holds(text, "o cup\ng rim\nusemtl clay\n"));
-  EXPECT_TRUE(holds(text, "o cup\ng foot\nusemtl plain\n"));
+  EXPECT_TRUE(holds(text, "g foot\nusemtl plain\n"));
+  EXPECT_EQ(text.find("o cup"), text.rfind("o cup")) << "one object stays one";
+}
+
+TEST(ObjScene, FacesOfOneObjectAreTogetherHoweverTheyCome) {
+  SurfaceMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles.assign(5, {0, 1, 2});
+  mesh.object_names = {"A", "B/rim", "B", "rim"};
+  mesh.face_objects = {0, 1, 0, 2, 3};
+  ObjScene scene;
+  scene.objects = {{"A", ""}, {"B", "rim"}, {"B", ""}, {"", "rim"}};
+  const auto shared = std::make_shared<const ObjScene>(scene);
+  const std::string f = "f 1 2 3\n";
+  EXPECT_TRUE(holds(format_mesh(mesh, "obj", {.scene = shared}),
+                    "g rim\n" + f + "o A\n" + f + f + "o B\n" + f + "g rim\n" + f));
+  mesh.object_names = {"A", "B", "B", ""};
+  EXPECT_TRUE(holds(format_mesh(mesh, "obj"), "o A\n" + f + f + "o B\n" + f + "o B\n" + f));
 }
 
 TEST(ObjScene, ElsewhereALibraryLiesBesideTheMeshAndFindsItsPictures) {
@@ -90,7 +109,7 @@ TEST(ObjScene, ElsewhereALibraryLiesBesideTheMeshAndFindsItsPictures) {
   const std::string text = read_text(shelf.out / "cracked.mtl");
   EXPECT_TRUE(holds(text, "illum 2\n")) << "what is not understood is kept";
   EXPECT_TRUE(holds(text, "bump ../in/tex/bump.png\n"));
-  const std::string moved = parse_mtl(text)[0].color_picture;
+  const std::string moved = parse_mtl(text)[0].color_picture.name;
   EXPECT_EQ(read_text(shelf.out / moved), picture);
 }
 
@@ -167,7 +186,8 @@ TEST(LooksLibrary, HoldsColoursAndPicturesOfAFileOfAnotherKind) {
   EXPECT_TRUE(holds(text, "mtllib a.mtl\n"));
   EXPECT_TRUE(holds(text, "usemtl paint_2\n")) << "two materials of one name stay two";
   const MeshFile back = read_mesh_file(shelf.out / "a.obj");
-  EXPECT_TRUE(back.warnings.empty());
+  ASSERT_EQ(back.warnings.size(), 1u);
+  EXPECT_TRUE(holds(back.warnings[0], "'../in/sky one.png' (not in the model's folder)"));
   ASSERT_EQ(back.looks.size(), 3u) << "as far as faces use them";
   EXPECT_EQ(back.looks[0].base_color, painted.looks[0].base_color);
   EXPECT_EQ(back.looks[1].base_picture.place, painted.looks[1].base_picture.place);
@@ -175,7 +195,7 @@ TEST(LooksLibrary, HoldsColoursAndPicturesOfAFileOfAnotherKind) {
   EXPECT_LT(back.looks[2].base_color[0], 0.5f) << "walls are dark";
   const auto materials = parse_mtl(read_text(shelf.out / "a.mtl"));
   ASSERT_EQ(materials.size(), 4u);
-  EXPECT_EQ(materials[2].color_picture, "../in/sky one.png");
+  EXPECT_EQ(materials[2].color_picture.name, "../in/sky one.png");
 }
 
 TEST(LooksLibrary, IsNotWrittenWhereTheMeshCannotBe) {

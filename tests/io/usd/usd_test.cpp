@@ -78,6 +78,33 @@ TEST(Usda, ColorsAndAttributesArePrimvars) {
   EXPECT_EQ(prim.interpolation.at("primvars:fragment"), "\"uniform\"");
 }
 
+TEST(Usda, AttributesNeverTakeTheNamesOfTheFormatsOwn) {
+  SurfaceMesh mesh = rich();
+  mesh.corner_uvs.clear();
+  mesh.vertex_colors.clear();
+  mesh.corner_normals.clear();
+  mesh.vertex_attributes.clear();
+  for (const char* name : {"st", "normals", "displayColor", "displayOpacity"}) {
+    mesh.vertex_attributes.push_back({name, 1, {1, 2, 3, 4}});
+  }
+  const UsdPrim root = parse_usda(format_usda(mesh));
+  const UsdPrim& prim = surface(root);
+  for (const Attribute& a : mesh.vertex_attributes) {
+    EXPECT_EQ(prim.types.count("primvars:" + a.name), 0u) << a.name;
+    EXPECT_EQ(prim.numbers("primvars:" + a.name + "_1"), a.values);
+  }
+}
+
+TEST(Usda, TypesOfAttributesGoByTheirNames) {
+  SurfaceMesh mesh = rich();
+  mesh.vertex_attributes = {{"crack_time", 1, {1, 2, 3, 4}}, {"id", 1, {123456789, 0, 0, 0.5}}};
+  const UsdPrim root = parse_usda(format_usda(mesh));
+  const UsdPrim& prim = surface(root);
+  EXPECT_EQ(prim.types.at("primvars:crack_time"), "float[]") << "whole or not";
+  EXPECT_EQ(prim.types.at("primvars:id"), "double[]") << "a float would round it";
+  EXPECT_EQ(prim.numbers("primvars:id")[0], 123456789);
+}
+
 TEST(Usda, MaterialsAreBoundToTheFacesThatHaveThem) {
   std::vector<MaterialLook> looks(3);
   looks[0].base_color = {0.5f, 0.25f, 0.125f, 1};

@@ -2,14 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 
 #include "craze/base/parse_double.h"
 #include "craze/io/bytes/input_error.h"
 
 namespace craze {
+
+namespace {
+
+/// What a number is that no double can hold: infinite or 0, by its power of ten.
+double beyond_double(std::string_view text) {
+  const std::size_t e = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view mantissa = text.substr(0, e);
+  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+  const std::size_t first = std::min(mantissa.find_first_of("123456789"), mantissa.size());
+  // Of digits before the first that counts, or after the point.
+  const double digits = static_cast<double>(point) - static_cast<double>(first);
+  double power = 0;
+  if (e < text.size()) {
+    for (const char c : text.substr(e + 1)) {
+      if (c >= '0' && c <= '9') power = 10 * power + (c - '0');
+    }
+    if (text.substr(e + 1).starts_with('-')) power = -power;
+  }
+  return power + digits > 0 ? std::numeric_limits<double>::infinity() : 0;
+}
+
+}  // namespace
 
 void TextCursor::fail(const std::string& why) const {
   fail_input(at_line(*name_, line_), why);
@@ -81,18 +104,30 @@ const char* TextCursor::after_plus(const char* p) const {
 }
 
 double TextCursor::number(const char* what) {
+  const TextCursor start = *this;
+  const double value = any_number(what);
+  if (!std::isfinite(value)) {
+    *this = start;
+    more_on_line();
+    fail(fmt::format("{} '{}' is not a finite number", what, printable(word_here())));
+  }
+  return value;
+}
+
+double TextCursor::any_number(const char* what) {
   if (!more_on_line()) fail(fmt::format("{} is missing", what));
   const char* first = after_plus(at_);
   double value = 0;
-  const auto [last, status] = parse_double(first, end_, value);
+  auto [last, status] = parse_double(first, end_, value);
+  if (status == std::errc{} && last != end_ && *last == '#' && last[-1] == '.') {
+    value = std::numeric_limits<double>::quiet_NaN();  // "1.#QNAN", "-1.#IND", "1.#INF"
+    while (!ends_word(last)) ++last;
+  }
   if (status == std::errc::invalid_argument || !ends_word(last)) {
     fail(fmt::format("{} '{}' is not a number", what, printable(word_here())));
   }
   if (status == std::errc::result_out_of_range) {
-    value = std::strtod(std::string(first, last).c_str(), nullptr);  // ±huge, or tiny: both known
-  }
-  if (!std::isfinite(value)) {
-    fail(fmt::format("{} '{}' is not a finite number", what, printable(word_here())));
+    value = beyond_double({first, static_cast<std::size_t>(last - first)});
   }
   at_ = last;
   return value;

@@ -39,6 +39,8 @@ class TextCursor {
   std::string_view rest_of_line();
   /// A finite number, the next word of this line. Fails, naming `what`, where there is none.
   double number(const char* what);
+  /// The same, which may be infinite or "nan".
+  double any_number(const char* what);
   /// A whole number, the next word of this line.
   std::int64_t integer(const char* what);
   /// A whole number at this very byte, which may be followed by `/` (OBJ's corners).

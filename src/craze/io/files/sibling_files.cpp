@@ -20,11 +20,10 @@ int hex_digit(char c) {
   return -1;
 }
 
-bool has_parent_step(const fs::path& path) {
-  for (const fs::path& part : path) {
-    if (part == "..") return true;
-  }
-  return false;
+/// Whether `..` leads above where the path begins.
+bool leads_above(const fs::path& path) {
+  const fs::path whole = path.lexically_normal();
+  return !whole.empty() && *whole.begin() == "..";
 }
 
 /// True if every part of `folder` begins `path`; both are canonical.
@@ -57,19 +56,33 @@ std::string decode_percent(const std::string& uri) {
 
 FileLoader load_from_folder(const fs::path& folder, const Context& context) {
   return [folder, &context](const std::string& uri) {
-    const std::string text = decode_percent(uri);
     const auto refuse = [&](const char* why) {
       fail_input(folder.string(), fmt::format("buffer file '{}' {}", printable(uri), why));
     };
-    // A colon makes a scheme (file:, http:) or a drive, a backslash another system's path.
-    if (text.find_first_of(std::string(":\\\0", 3)) != std::string::npos ||
-        fs::path(text).is_absolute() || has_parent_step(text)) {
-      refuse("is not a plain path inside the model's folder");
-    }
+    const auto check_plain = [&](const std::string& text) {
+      // A colon makes a scheme (file:, http:) or a drive, a backslash another system's path.
+      if (text.find_first_of(std::string(":\\\0", 3)) != std::string::npos ||
+          fs::path(text).is_absolute()) {
+        refuse("is not a plain path inside the model's folder");
+      }
+      if (leads_above(text)) {
+        refuse(
+            "is not inside the model's folder; for safety no other file is opened, so move it "
+            "there");
+      }
+    };
+    const std::string text = decode_percent(uri);
+    check_plain(text);
     std::error_code broken;
     const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, broken);
-    const fs::path path = broken ? fs::path() : fs::weakly_canonical(root / text, broken);
+    fs::path path = broken ? fs::path() : fs::weakly_canonical(root / text, broken);
     if (broken) refuse("cannot be found");
+    // Some files are really called so.
+    if (text != uri && !fs::exists(path, broken)) {
+      check_plain(uri);
+      const fs::path literal = fs::weakly_canonical(root / uri, broken);
+      if (!broken && fs::exists(literal, broken)) path = literal;
+    }
     if (!is_inside(path, root)) refuse("is a link that leads out of the model's folder");
     if (fs::exists(path, broken) && !fs::is_regular_file(path, broken)) refuse("is not a file");
     return read_file(path, "cannot read mesh", context);

@@ -7,7 +7,7 @@
 
 #include "craze/context.h"
 #include "craze/io/gltf/glb_buffer.h"
-#include "craze/io/gltf/material_library.h"
+#include "craze/io/gltf/materials/material_library.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/surface_mesh.h"
 

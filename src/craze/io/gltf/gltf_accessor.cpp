@@ -39,11 +39,8 @@ std::string_view GltfAccessors::source(const std::string& uri) {
   auto found = sources_.find(uri);
   if (found != sources_.end()) return found->second;
   std::string content;
-  if (uri.starts_with("data:")) {
-    const std::size_t comma = uri.find(";base64,");
-    auto decoded = comma == std::string::npos
-                       ? std::nullopt
-                       : decode_base64(std::string_view(uri).substr(comma + 8));
+  if (is_data_uri(uri)) {
+    auto decoded = decode_data_uri(uri);
     if (!decoded) json_.fail("a data URI is not base64");
     content = std::move(*decoded);
   } else if (loader_) {
@@ -206,18 +203,33 @@ GltfElements GltfAccessors::elements(std::size_t accessor) {
 }
 
 GltfAccessors::Values GltfAccessors::read(std::size_t accessor) {
+  Values out = read_any(accessor);
+  for (std::size_t i = 0; i < out.values.size(); ++i) {
+    if (std::isfinite(out.values[i])) continue;
+    json_.fail(
+        fmt::format("accessor {} element {} is not a finite number", accessor, i / out.components));
+  }
+  return out;
+}
+
+GltfAccessors::Values GltfAccessors::read_mended(std::size_t accessor, double instead) {
+  Values out = read_any(accessor);
+  for (double& number : out.values) {
+    if (std::isfinite(number)) continue;
+    number = instead;
+    broken_[accessor] = instead;
+  }
+  return out;
+}
+
+GltfAccessors::Values GltfAccessors::read_any(std::size_t accessor) {
   const GltfElements in = elements(accessor);
   Values out{in.count, in.components, {}};
   out.values.reserve(in.count * in.components);
   const std::size_t step = component_size(in.component_type);
   for (std::size_t i = 0; i < in.count * in.components; ++i) {
-    const double number =
-        load_component(in.bytes.data() + i * step, in.component_type, in.normalized);
-    if (!std::isfinite(number)) {
-      json_.fail(fmt::format("accessor {} element {} is not a finite number", accessor,
-                             i / in.components));
-    }
-    out.values.push_back(number);
+    out.values.push_back(
+        load_component(in.bytes.data() + i * step, in.component_type, in.normalized));
   }
   return out;
 }

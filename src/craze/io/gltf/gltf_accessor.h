@@ -29,6 +29,10 @@ class GltfAccessors {
     std::vector<double> values;  ///< count × components, finite; integers scaled if "normalized"
   };
   Values read(std::size_t accessor);
+  /// The same with `instead` for numbers that are not finite.
+  Values read_mended(std::size_t accessor, double instead);
+  /// Accessors that had such numbers, and what stands for them.
+  const std::map<std::size_t, double>& broken() const { return broken_; }
   /// The same as the file's own bytes, packed, with what a sparse accessor gives instead in place.
   GltfElements elements(std::size_t accessor);
   /// A scalar accessor of unsigned integers.
@@ -53,6 +57,7 @@ class GltfAccessors {
     bool normalized = false;
   };
   Layout layout(std::size_t accessor);
+  Values read_any(std::size_t accessor);
   /// Finds the bytes of `layout` in a view; `what` for messages.
   void place(Layout& layout, std::size_t buffer_view, std::size_t offset, std::size_t stride,
              const std::string& what);
@@ -67,6 +72,7 @@ class GltfAccessors {
   std::map<std::string, std::string> sources_;       ///< by URI: buffers may share a file
   std::map<std::size_t, std::string_view> buffers_;  ///< by index
   std::size_t loaded_bytes_ = 0;
+  std::map<std::size_t, double> broken_;
 };
 
 }  // namespace craze

@@ -97,6 +97,7 @@ const GltfBuilder::Placed* GltfBuilder::add_primitive(const Json& json,
                                                       const std::vector<double>& weights,
                                                       std::map<std::string, Placed>& placed) {
   const std::size_t mode = json_.index_or(json, "mode", triangles_mode);
+  unknown_modes_ += mode > fan_mode;
   if (mode < triangles_mode || mode > fan_mode || draws_cracks(json)) return nullptr;
   GltfPrimitive primitive(
       json, weights, accessors_, [this](std::size_t numbers) { spend(numbers); }, source_.name);
@@ -146,6 +147,7 @@ void GltfBuilder::add_triangles(const std::vector<std::uint32_t>& indices, std::
     mesh_.face_objects.push_back(object_);
   };
   if (mode == triangles_mode) {
+    left_over_ += n % 3;
     for (std::size_t i = 0; i + 2 < n; i += 3) add(i, i + 1, i + 2);
   } else if (mode == strip_mode) {
     for (std::size_t i = 0; i + 2 < n; ++i) add(i, i + 1 + i % 2, i + 2 - i % 2);
@@ -199,7 +201,14 @@ GltfBuilder::Placed GltfBuilder::add_vertices(GltfPrimitive& primitive,
       if (accessors_.count(index) != count) {
         json_.fail(fmt::format("the accessor of {} has the wrong count", printable(key)));
       }
-      add_attribute(key, accessors_.read(index), placed.first);
+      add_attribute(key, accessors_.read_mended(index, mended_number(key)), placed.first);
+    } else if (key == "TANGENT" || key.starts_with("TEXCOORD_") || key.starts_with("COLOR_")) {
+      // Only the scene keeps it.
+      const std::size_t index = json_.as_index(accessor, "attributes");
+      if (accessors_.count(index) == count) accessors_.read_mended(index, mended_number(key));
+    }
+    if (accessor.is_number() && accessors_.broken().count(accessor.get<std::size_t>()) > 0) {
+      broken_keys_.insert(key);
     }
   }
   return placed;
@@ -260,8 +269,22 @@ void GltfBuilder::add_attribute(const std::string& key, const Values& values, st
   found->values.insert(found->values.end(), values.values.begin(), values.values.end());
 }
 
+void GltfBuilder::warn() const {
+  std::string keys;
+  for (const std::string& key : broken_keys_) keys += (keys.empty() ? "" : ", ") + printable(key);
+  if (!keys.empty()) source_.warn("numbers that are not finite are mended in " + keys);
+  if (left_over_ > 0) {
+    source_.warn(
+        fmt::format("{} vertices at the ends of lists of triangles make none", left_over_));
+  }
+  if (unknown_modes_ > 0) {
+    source_.warn(fmt::format("{} primitives of an unknown mode are not read", unknown_modes_));
+  }
+}
+
 SurfaceMesh GltfBuilder::finish() {
   check_size(mesh_, source_.name);
+  warn();
   for (const Json& material : json_.array(root_, "materials")) {
     const std::string text = material.is_object() ? json_.text(material, "name") : std::string();
     mesh_.material_names.push_back(

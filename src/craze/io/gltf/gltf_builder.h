@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,7 @@ class GltfBuilder {
   const std::vector<Eigen::Matrix4d>& joints_of(std::size_t skin);
   void extend(Attribute& attribute, std::size_t vertices);
   void spend(std::size_t elements);
+  void warn() const;
 
   const Json& root_;
   GltfNodes& nodes_;
@@ -81,6 +83,8 @@ class GltfBuilder {
   std::map<std::size_t, std::int32_t> objects_;                 ///< by node, or mesh without
   std::int32_t object_ = -1;                                    ///< of the instance at hand
   std::vector<GltfPart> parts_;
+  std::set<std::string> broken_keys_;  ///< attributes with numbers that were mended
+  std::size_t left_over_ = 0, unknown_modes_ = 0;
   SurfaceMesh mesh_;
   std::vector<Vec2> uvs_;      ///< per vertex, as far as given
   std::vector<Vec3> normals_;  ///< per vertex, as far as given; zero: none

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "craze/io/bytes/base64.h"
 #include "craze/io/bytes/input_error.h"
 
 namespace craze {
@@ -48,7 +49,7 @@ void list_pictures(const Json& root, const MeshSource& source) {
   for (const Json& image : json.array(root, "images")) {
     if (!image.is_object()) continue;
     const std::string uri = json.text(image, "uri");
-    if (!uri.empty() && !uri.starts_with("data:")) source.textures.push_back(uri);
+    if (!uri.empty() && !is_data_uri(uri)) source.textures.push_back(uri);
   }
 }
 

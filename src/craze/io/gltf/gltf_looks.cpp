@@ -139,9 +139,8 @@ class Looks {
       return hold(std::string(accessors_.view(*view)));
     }
     std::string uri = json_.text(image, "uri");
-    if (!uri.starts_with("data:")) return {nullptr, std::move(uri)};
-    const std::size_t comma = uri.find(";base64,");
-    auto bytes = comma == std::string::npos ? std::nullopt : decode_base64(uri.substr(comma + 8));
+    if (!is_data_uri(uri)) return {nullptr, std::move(uri)};
+    auto bytes = decode_data_uri(uri);
     if (!bytes) json_.fail("a data URI is not base64");
     return hold(std::move(*bytes));
   }

@@ -44,7 +44,8 @@ GltfAccessors::Values GltfPrimitive::read_accessor(const Json& attributes, const
   if (accessors_.count(accessor) != count_) {
     json_.fail(fmt::format("the accessor of {} has not the size it should have", printable(key)));
   }
-  return accessors_.read(accessor);
+  if (std::string_view(key) == "POSITION") return accessors_.read(accessor);
+  return accessors_.read_mended(accessor, mended_number(key));
 }
 
 GltfAccessors::Values GltfPrimitive::read(const char* key, std::size_t components,

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "craze/io/gltf/gltf_accessor.h"
@@ -21,6 +22,11 @@ inline bool draws_cracks(const Json& primitive) {
          extras->value(crack_lines_mark, Json()) == Json(true);
 }
 
+/// What stands for a number of an attribute that is not finite.
+inline double mended_number(std::string_view key) {
+  return key.starts_with("COLOR_") || key == "TANGENT" ? 1 : 0;
+}
+
 /// Attributes by name, with the default weights of the targets applied.
 class GltfPrimitive {
  public:
@@ -36,7 +42,8 @@ class GltfPrimitive {
   std::size_t vertex_count() const { return count_; }
   /// What tells primitives apart whose vertices differ.
   std::string key() const;
-  /// Throws Error(input) where the accessor has not one element per vertex, or neither number of
+  /// Numbers that are not finite are mended, but for POSITION. Throws Error(input) for those, and
+  /// where the accessor has not one element per vertex, or neither number of
   /// components.
   GltfAccessors::Values read(const char* key, std::size_t components, std::size_t or_components);
 

@@ -20,11 +20,12 @@ constexpr std::size_t free_elements = 4'000'000;
 
 struct Chunks {
   std::string_view json, bin;
+  std::size_t unread = 0;  ///< bytes after the file's own end
 };
 
 /// A GLB's two chunks; a text file is all JSON.
 Chunks split_chunks(std::string_view bytes, const std::string& name) {
-  if (!bytes.starts_with("glTF")) return {bytes, {}};
+  if (!bytes.starts_with("glTF")) return {bytes, {}, 0};
   if (bytes.size() < 20) fail_input(name, "it is too short for GLB");
   if (load<std::uint32_t>(bytes.data() + 4) != 2) fail_input(name, "it is not GLB version 2");
   Chunks chunks;
@@ -32,6 +33,7 @@ Chunks split_chunks(std::string_view bytes, const std::string& name) {
   // Bytes after the file's own end are not its.
   const std::size_t end =
       std::min<std::size_t>(bytes.size(), load<std::uint32_t>(bytes.data() + 8));
+  chunks.unread = bytes.size() - end;
   while (at < end && bytes.size() - at >= 8) {
     const std::size_t size = load<std::uint32_t>(bytes.data() + at);
     const std::string_view type = bytes.substr(at + 4, 4);
@@ -76,6 +78,9 @@ SurfaceMesh read_gltf(const MeshSource& source) {
   const Chunks chunks = split_chunks(source.bytes, name);
   const Json root = parse_json(chunks.json, name);
   check_version(root, GltfJson(name));
+  if (chunks.unread > 0) {
+    source.warn(fmt::format("{} bytes after the end of the GLB are not read", chunks.unread));
+  }
   check_required_extensions(root, name);
   list_pictures(root, source);
   const std::size_t budget = free_elements + 2 * source.bytes.size();

@@ -1,125 +1,155 @@
-// Format: Alias/Wavefront, "MTL material format", Advanced Visualizer manual, appendix B2.
+// Format: Alias/Wavefront, "MTL material format", Advanced Visualizer manual, appendix B2. Pr, Pm,
+// Ke and norm: Exocortex, "Extending the OBJ-MTL format for PBR", 2013.
 #include "craze/io/obj/mtl.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <optional>
 #include <set>
 
 namespace craze {
 
 namespace {
 
-constexpr std::string_view blanks = " \t";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t from = text.find_first_not_of(" \t\r");
-  if (from == std::string_view::npos) return {};
-  return text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
-}
-
-/// Takes the first word off a text.
-std::string_view take_word(std::string_view& text) {
-  text = trimmed(text);
-  const std::size_t end = std::min(text.find_first_of(blanks), text.size());
-  const std::string_view word = text.substr(0, end);
-  text = trimmed(text.substr(end));
-  return word;
-}
-
-bool is_number(std::string_view word) {
-  const std::string text(word);
-  char* end = nullptr;
-  static_cast<void>(std::strtod(text.c_str(), &end));
-  return !text.empty() && *end == '\0';
-}
-
-/// What follows the options of a picture's line, each of which is shown: visit(option, index of the
-/// argument, argument).
-template <class Visit>
-std::string_view picture_name(std::string_view rest, Visit visit) {
-  while (rest.starts_with('-')) {
-    const std::string_view option = take_word(rest);
-    const bool is_vector = option == "-o" || option == "-s" || option == "-t";
-    const int arguments = is_vector ? 3 : option == "-mm" ? 2 : 1;
-    for (int i = 0; i < arguments; ++i) {
-      std::string_view ahead = rest;
-      const std::string_view word = take_word(ahead);
-      if (is_vector && !is_number(word)) break;
-      visit(option, static_cast<std::size_t>(i), word);
-      rest = ahead;
-    }
+std::string lower(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  return rest;
+  return text;
 }
 
-std::string_view picture_name(std::string_view rest) {
-  return picture_name(rest, [](std::string_view, std::size_t, std::string_view) {});
-}
-
-bool names_picture(std::string_view keyword) {
+bool names_picture(const std::string& keyword) {
   return keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" ||
          keyword == "decal" || keyword == "refl" || keyword == "norm";
 }
 
-template <class Visit>
-void for_each_line(std::string_view text, Visit visit) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    visit(text.substr(0, end));
-    text = text.substr(std::min(end + 1, text.size()));
+using Triple = std::array<double, 3>;
+
+/// From CIE's XYZ to linear red, green and blue (IEC 61966-2-1).
+Triple from_xyz(const Triple& c) {
+  return {3.2406 * c[0] - 1.5372 * c[1] - 0.4986 * c[2],
+          -0.9689 * c[0] + 1.8758 * c[1] + 0.0415 * c[2],
+          0.0557 * c[0] - 0.2040 * c[1] + 1.0570 * c[2]};
+}
+
+/// "r g b", "xyz x y z"; numbers that are missing are the first.
+std::optional<Triple> parse_color(std::string_view rest) {
+  std::string_view ahead = rest;
+  const bool is_xyz = lower(take_mtl_word(ahead)) == "xyz";
+  if (is_xyz) rest = ahead;
+  Triple color{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string_view word = take_mtl_word(rest);
+    const bool ends = word.empty() || word.starts_with('#');
+    const std::optional<double> number = ends && k > 0 ? color[0] : mtl_number(word);
+    if (!number) return {};
+    color[k] = *number;
   }
+  return is_xyz ? from_xyz(color) : color;
 }
 
-double any_number(std::string_view word) {
-  const double value = std::strtod(std::string(word).c_str(), nullptr);
-  return std::isfinite(value) ? value : 0;
+/// Whether a line of that keyword changes nothing: the light that surrounds, which is the viewer's,
+/// or numbers that are 0 (Tf: 1).
+bool says_nothing(const std::string& keyword, std::string_view rest) {
+  if (keyword.empty() || keyword.starts_with('#')) return true;
+  // Ns is the width of the highlights that Ks makes.
+  for (const char* of_light : {"ka", "ni", "ns", "illum", "sharpness"}) {
+    if (keyword == of_light) return true;
+  }
+  const double nothing = keyword == "tf" ? 1 : 0;
+  while (!rest.empty() && !rest.starts_with('#')) {
+    if (mtl_number(take_mtl_word(rest)) != nothing) return false;
+  }
+  return true;
 }
 
-double number_or(std::string_view word, double fallback) {
-  return is_number(word) ? std::clamp(std::strtod(std::string(word).c_str(), nullptr), 0.0, 1.0)
-                         : fallback;
-}
+class Parser {
+ public:
+  std::vector<MtlMaterial> parse(std::string_view text) {
+    for (const std::string& line : mtl_lines(text)) {
+      std::string_view rest = line;
+      const std::string_view word = take_mtl_word(rest);
+      const std::string keyword = lower(word);
+      if (keyword == "newmtl") {
+        materials_.emplace_back().name = std::string(rest);
+        has_opacity_ = false;
+      } else if (!materials_.empty() && !add(materials_.back(), keyword, rest) &&
+                 !says_nothing(keyword, rest)) {
+        add_other(std::string(word));
+      }
+    }
+    return std::move(materials_);
+  }
+
+ private:
+  /// False for a keyword that is not known.
+  bool add(MtlMaterial& material, const std::string& keyword, std::string_view rest) {
+    if (keyword == "kd" || keyword == "ke") {
+      add_color(material, keyword == "ke", rest);
+    } else if (keyword == "d" || keyword == "tr") {
+      add_opacity(material, keyword == "d", rest);
+    } else if (keyword == "pr" || keyword == "pm") {
+      double& value = keyword == "pr" ? material.roughness : material.metallic;
+      value = bounded(material, mtl_number(take_mtl_word(rest)).value_or(value));
+    } else if (keyword == "map_kd") {
+      material.color_picture = parse_mtl_picture(rest);
+    } else if (keyword == "map_ke") {
+      material.emission_picture = parse_mtl_picture(rest);
+      if (material.emission == Triple{0, 0, 0}) material.emission = {1, 1, 1};
+    } else if (keyword == "norm") {
+      material.normal_picture = parse_mtl_picture(rest);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  static double bounded(MtlMaterial& material, double value, double most = 1) {
+    const double inside = std::clamp(value, 0.0, most);
+    material.is_bounded |= inside != value;
+    return inside;
+  }
+
+  static void add_color(MtlMaterial& material, bool emits, std::string_view rest) {
+    constexpr double brightest = 1e6;
+    const std::optional<Triple> color = parse_color(rest);
+    if (!color) {
+      material.has_unknown_color = true;
+      return;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      (emits ? material.emission : material.color)[k] =
+          bounded(material, (*color)[k], emits ? brightest : 1);
+    }
+  }
+
+  /// Writers that disagree on Tr give d as well.
+  void add_opacity(MtlMaterial& material, bool is_d, std::string_view rest) {
+    std::string_view word = take_mtl_word(rest);
+    if (word == "-halo") word = take_mtl_word(rest);
+    const std::optional<double> number = mtl_number(word);
+    if (!number || (!is_d && has_opacity_)) return;
+    const double value = bounded(material, *number);
+    material.opacity = is_d ? value : 1 - value;
+    has_opacity_ |= is_d;
+  }
+
+  void add_other(std::string keyword) {
+    constexpr std::size_t most = 64;
+    auto& others = materials_.back().others;
+    const bool is_known = std::find(others.begin(), others.end(), keyword) != others.end();
+    if (!is_known && others.size() < most) others.push_back(std::move(keyword));
+  }
+
+  std::vector<MtlMaterial> materials_;
+  bool has_opacity_ = false;
+};
 
 }  // namespace
 
 std::vector<MtlMaterial> parse_mtl(std::string_view text) {
-  std::vector<MtlMaterial> materials;
-  bool has_opacity = false;
-  for_each_line(text, [&](std::string_view line) {
-    std::string_view rest = line;
-    const std::string_view keyword = take_word(rest);
-    if (keyword == "newmtl") {
-      materials.emplace_back().name = std::string(rest);
-      has_opacity = false;
-    } else if (!materials.empty()) {
-      MtlMaterial& material = materials.back();
-      if (keyword == "Kd") {
-        for (double& channel : material.color) channel = number_or(take_word(rest), channel);
-      } else if (keyword == "d" || keyword == "Tr") {
-        const double value =
-            std::clamp(number_or(take_word(rest), keyword == "d" ? 1 : 0), 0.0, 1.0);
-        // Writers that disagree on Tr give d as well.
-        if (keyword == "d") {
-          material.opacity = value;
-          has_opacity = true;
-        } else if (!has_opacity) {
-          material.opacity = 1 - value;
-        }
-      } else if (keyword == "map_Kd") {
-        material.scale = {1, 1};
-        material.shift = {0, 0};
-        material.is_clamped = false;
-        const auto place = [&](std::string_view option, std::size_t i, std::string_view word) {
-          if (option == "-clamp") material.is_clamped = word == "on";
-          if (i > 1 || (option != "-s" && option != "-o")) return;
-          (option == "-s" ? material.scale : material.shift)[i] = any_number(word);
-        };
-        material.color_picture = std::string(picture_name(rest, place));
-      }
-    }
-  });
-  return materials;
+  return Parser().parse(text);
 }
 
 std::vector<std::string> mtl_names(const SurfaceMesh& mesh) {
@@ -141,10 +171,10 @@ std::vector<std::string> mtl_names(const SurfaceMesh& mesh) {
 std::string rename_pictures(std::string_view text,
                             const std::function<std::string(const std::string&)>& rename) {
   std::string result;
-  for_each_line(text, [&](std::string_view line) {
+  for (const std::string& line : mtl_lines(text)) {
     std::string_view rest = line;
-    const std::string_view keyword = take_word(rest);
-    const std::string_view name = names_picture(keyword) ? picture_name(rest) : "";
+    const std::string keyword = lower(take_mtl_word(rest));
+    const std::string_view name = names_picture(keyword) ? mtl_picture_name(rest) : "";
     if (name.empty()) {
       result += line;
     } else {
@@ -152,7 +182,7 @@ std::string rename_pictures(std::string_view text,
       result += rename(std::string(name));
     }
     result += '\n';
-  });
+  }
   return result;
 }
 

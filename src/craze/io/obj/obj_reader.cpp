@@ -2,20 +2,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
-#include <sstream>
+#include <set>
 #include <unordered_map>
 
 #include "craze/base/progress_meter.h"
-#include "craze/error.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
-#include "craze/io/image/picture_type.h"
-#include "craze/io/obj/mtl.h"
 #include "craze/io/obj/obj.h"
+#include "craze/io/obj/obj_materials.h"
 #include "craze/io/obj/obj_scene.h"
 #include "craze/io/polygons/polygon_soup.h"
 
@@ -49,7 +48,7 @@ class ObjReader {
       } else if (keyword == "usemtl") {
         use_material(text_.rest_of_line());
       } else if (keyword == "mtllib") {
-        name_library(std::string(text_.rest_of_line()));
+        bring_library(std::string(text_.rest_of_line()), source_, scene_);
       } else if (keyword == "o") {
         object_ = text_.rest_of_line();
         group_.clear();
@@ -57,13 +56,23 @@ class ObjReader {
       } else if (keyword == "g") {
         group_ = text_.rest_of_line();
         is_new_object_ = true;
-      } else if (!keyword.empty() && keyword != "s") {
+      } else if (keyword == "s") {
+        smoothing_ = text_.rest_of_line();
+      } else if (!keyword.empty()) {
         leave_out(keyword);
       }
       text_.skip_line();
     }
+    // Where all edges are smooth, or normals say which are, nothing is left to be said.
+    const bool has_hard =
+        smoothings_.size() > 1 || smoothings_.count("off") || smoothings_.count("0");
+    if (has_hard && soup_.normals.empty()) {
+      source_.warn(
+          "smoothing groups ('s') are not kept; a mesh without normals is shaded by its angles");
+    }
     SurfaceMesh mesh = triangulate(std::move(soup_), source_);
     warn_of_left_out();
+    warn_of_numbers();
     mesh.material_names = std::move(material_names_);
     mesh.object_names = std::move(object_names_);
     keep_scene(mesh);
@@ -80,29 +89,67 @@ class ObjReader {
     double n[7] = {};
     int count = 0;
     while (count < 3 || (count < 7 && text_.more_on_line())) {
-      n[count++] = text_.number("a coordinate");
+      n[count] = count < 3 ? text_.number("a coordinate") : text_.any_number("a colour");
+      ++count;
     }
     soup_.positions.emplace_back(n[0], n[1], n[2]);
-    if (count >= 6) {
-      const auto unit = [](double c) { return static_cast<float>(std::clamp(c, 0.0, 1.0)); };
-      colors_.resize(soup_.positions.size() - 1, Color{1, 1, 1, 1});
-      colors_.push_back({unit(n[3]), unit(n[4]), unit(n[5]), count == 7 ? unit(n[6]) : 1.0f});
+    // The weight w is for curves; what follows it can be no colour.
+    left_over_ += count == 5 || (count == 4 && n[3] != 1) || text_.more_on_line();
+    if (count < 6) return;
+    colors_.resize(soup_.positions.size() - 1, Color{1, 1, 1, 1});
+    Color& color = colors_.emplace_back(Color{1, 1, 1, 1});
+    const auto channels = static_cast<std::size_t>(count - 3);
+    if (!std::all_of(n + 3, n + count, [](double c) { return std::isfinite(c); })) {
+      ++broken_colors_;
+      return;
     }
+    for (std::size_t k = 0; k < channels; ++k) {
+      const double inside = std::clamp(n[3 + k], 0.0, 1.0);
+      color[k] = static_cast<float>(inside);
+    }
+    const auto is_outside = [](double c) { return c < 0 || c > 1; };
+    bounded_colors_ += std::any_of(n + 3, n + count, is_outside);
   }
 
   void read_uv() {
-    const double u = text_.number("a texture coordinate");
-    soup_.uvs.emplace_back(u, text_.more_on_line() ? text_.number("a texture coordinate") : 0.0);
+    const char* what = "a texture coordinate";
+    Vec2 uv(text_.any_number(what), 0);
+    if (text_.more_on_line()) uv.y() = text_.any_number(what);
+    if (text_.more_on_line()) left_over_uvs_ += text_.any_number(what) != 0;
+    if (!uv.allFinite()) {
+      ++broken_uvs_;
+      uv.setZero();
+    }
+    soup_.uvs.push_back(uv);
   }
 
   void read_normal() {
-    const double x = text_.number("a normal"), y = text_.number("a normal");
-    soup_.normals.emplace_back(x, y, text_.number("a normal"));
+    const char* what = "a normal";
+    Vec3 normal;
+    for (double& x : normal) x = text_.any_number(what);
+    if (!normal.allFinite()) {
+      ++broken_normals_;
+      normal.setZero();
+    }
+    soup_.normals.push_back(normal);
+  }
+
+  void warn_of_numbers() const {
+    const auto tell = [&](std::size_t count, const char* sentence) {
+      if (count > 0) source_.warn(fmt::format("{} {}", count, sentence));
+    };
+    tell(broken_uvs_, "texture coordinates are not finite numbers; they are 0");
+    tell(broken_normals_, "normals are not finite numbers; their faces' stand in");
+    tell(broken_colors_, "colours are not finite numbers; they are white");
+    tell(bounded_colors_, "colours go beyond 0 to 1; they are bounded to it");
+    tell(left_over_, "vertices have weights or further numbers, which are not kept");
+    tell(left_over_uvs_, "texture coordinates have a third number, which is not kept");
   }
 
   /// Corners V, V/VT, V//VN or V/VT/VN; what is behind a slash may be missing.
   void read_face() {
     if (is_new_object_) begin_object();
+    if (!smoothing_.empty() && smoothings_.size() < 2) smoothings_.insert(smoothing_);
     while (text_.more_on_line()) {
       SoupCorner corner;
       corner.vertex = read_vertex_index();
@@ -177,84 +224,18 @@ class ObjReader {
     material_ = found->second;
   }
 
-  /// One name that may hold spaces, or several.
-  void name_library(const std::string& names) {
-    const auto& known = scene_.libraries;
-    if (names.empty() || std::find(known.begin(), known.end(), names) != known.end()) return;
-    scene_.libraries.push_back(names);
-    std::string text;
-    if (bring(names, text)) {
-      scene_.materials += text + "\n";
-      return;
-    }
-    std::istringstream words(names);
-    bool any = false;
-    for (std::string name; words >> name;) {
-      if (name == names || !bring(name, text)) continue;
-      scene_.materials += text + "\n";
-      any = true;
-    }
-    if (!any) {
-      source_.warn(
-          fmt::format("material library '{}' cannot be read; its materials are known by "
-                      "name alone",
-                      printable(names)));
-    }
-  }
-
-  bool bring(const std::string& name, std::string& bytes) const {
-    if (!source_.files) return false;
-    try {
-      bytes = source_.files(name);
-      return true;
-    } catch (const Error&) {
-      return false;
-    }
-  }
-
-  /// Keeps what the file says besides its surface, and the pictures of its colours.
+  /// Keeps what the file says besides its surface, and the pictures of its materials.
   void keep_scene(const SurfaceMesh& mesh) {
     if (scene_.libraries.empty() && scene_.objects.empty()) return;
     scene_.folder = std::filesystem::path(source_.name).parent_path();
-    const std::vector<MtlMaterial> materials = parse_mtl(scene_.materials);
-    for (const MtlMaterial& material : materials) {
-      const std::string& name = material.color_picture;
-      if (name.empty() || scene_.pictures.count(name)) continue;
-      std::string bytes;
-      if (bring(name, bytes) && !picture_type(bytes).empty()) scene_.pictures[name] = bytes;
-    }
+    bring_pictures(mesh.material_names, source_, scene_);
     source_.scene = std::make_shared<const ObjScene>(std::move(scene_));
-    if (source_.looks && !materials.empty()) *source_.looks = looks_of(mesh, materials);
-  }
-
-  static std::vector<MaterialLook> looks_of(const SurfaceMesh& mesh,
-                                            const std::vector<MtlMaterial>& materials) {
-    std::map<std::string, MaterialLook> known;
-    for (const MtlMaterial& material : materials) {
-      MaterialLook look;
-      for (std::size_t k = 0; k < 3; ++k)
-        look.base_color[k] = static_cast<float>(material.color[k]);
-      look.base_color[3] = static_cast<float>(material.opacity);
-      if (material.opacity < 1) look.alpha = MaterialLook::Alpha::blended;
-      look.base_picture.file = material.color_picture;
-      if (material.is_clamped) look.base_picture.wraps.fill(TextureWrap::clamp);
-      look.base_picture.place << material.scale[0], 0, material.shift[0], 0, material.scale[1],
-          material.shift[1];
-      known.try_emplace(material.name, std::move(look));
-    }
-    std::vector<MaterialLook> looks;
-    for (const std::string& name : mesh.material_names) {
-      const auto found = known.find(name);
-      looks.push_back(found == known.end() ? MaterialLook{} : found->second);
-    }
-    return looks;
   }
 
   /// Faces from here on belong to "o", "g" or "o/g", by what the file has said.
   void begin_object() {
     is_new_object_ = false;
-    const std::string name =
-        object_.empty() || group_.empty() ? object_ + group_ : object_ + "/" + group_;
+    const std::string name = object_name(object_, group_);
     if (name.empty()) {
       object_index_ = -1;
       return;
@@ -281,7 +262,11 @@ class ObjReader {
   std::vector<std::string> object_names_;
   std::unordered_map<std::string, std::int32_t> object_indices_;
   std::int32_t object_index_ = -1;
+  std::string smoothing_;             ///< as the last `s` said; "": none has
+  std::set<std::string> smoothings_;  ///< of faces, two at most
   ObjScene scene_;
+  std::size_t broken_uvs_ = 0, broken_normals_ = 0, broken_colors_ = 0, bounded_colors_ = 0;
+  std::size_t left_over_ = 0, left_over_uvs_ = 0;
   std::map<std::string, std::size_t> left_out_;  ///< lines by keyword
 };
 

@@ -14,14 +14,19 @@
 
 namespace craze {
 
+/// What the object of an `o` and a `g` is called, either of which may be empty.
+std::string object_name(const std::string& o, const std::string& g);
+
 struct ObjScene : SourceScene {
   std::filesystem::path folder;        ///< of the file, for what its libraries name
   std::vector<std::string> libraries;  ///< as `mtllib` names them
   std::string materials;               ///< their text, one after the other; "" where none is there
-  std::map<std::string, std::string> pictures;  ///< bytes of those of base colours, by name
+  std::map<std::string, std::string> pictures;               ///< bytes of its materials', by name
   std::vector<std::pair<std::string, std::string>> objects;  ///< `o` and `g`, by object of the mesh
 
   std::vector<SceneContent> contents() const override;
+  /// `o` and `g` alone.
+  std::vector<OtherName> other_names() const override;
 };
 
 /// Where a mesh of an OBJ file's finds its materials once it lies somewhere else.

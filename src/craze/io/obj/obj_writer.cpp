@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "craze/base/progress_meter.h"
 #include "craze/io/obj/mtl.h"
@@ -24,15 +27,37 @@ std::string one_line(std::string name) {
   return name;
 }
 
-/// `o` and `g` as the file had them.
-std::string object_lines(const SurfaceMesh& mesh, std::int32_t object, const ObjScene* scene) {
-  if (object < 0) return "g\n";
+/// An object of the mesh as OBJ says it; "" where it does not.
+struct ObjectNames {
+  std::string o, g;
+};
+
+ObjectNames names_of(const SurfaceMesh& mesh, std::int32_t object, const ObjScene* scene) {
+  if (object < 0) return {};
   const auto number = static_cast<std::size_t>(object);
-  if (!scene || number >= scene->objects.size()) {
-    return "o " + one_line(mesh.object_names[number]) + "\n";
+  if (!scene || number >= scene->objects.size()) return {one_line(mesh.object_names[number]), ""};
+  return {scene->objects[number].first, scene->objects[number].second};
+}
+
+/// The faces with those of one object together, and the groups of one `o`, in the order in which
+/// they first come; those without `o` first, since nothing ends one.
+std::vector<std::size_t> by_object(const SurfaceMesh& mesh, const ObjScene* scene) {
+  std::map<std::string, std::size_t> first_of_o{{"", 0}};
+  std::map<std::int32_t, std::pair<std::size_t, std::size_t>> rank;  // by object
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> faces;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const auto [known, is_new] = rank.try_emplace(mesh.face_objects[f]);
+    if (is_new) {
+      const ObjectNames names = names_of(mesh, known->first, scene);
+      const std::size_t of_o = first_of_o.try_emplace(names.o, first_of_o.size()).first->second;
+      // In a scene what has no group comes before what has one.
+      known->second = {of_o, scene && names.g.empty() ? 0 : rank.size()};
+    }
+    faces[known->second].push_back(f);
   }
-  const auto& [o, g] = scene->objects[number];
-  return (o.empty() ? "" : "o " + o + "\n") + (g.empty() ? "" : "g " + g + "\n");
+  std::vector<std::size_t> order;
+  for (const auto& [place, of] : faces) order.insert(order.end(), of.begin(), of.end());
+  return order;
 }
 
 }  // namespace
@@ -68,13 +93,17 @@ std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
   const auto* scene = dynamic_cast<const ObjScene*>(options.scene.get());
   const bool has_objects = options.objects.empty() && !mesh.face_objects.empty();
   std::int32_t material = -1, object = -1;
+  ObjectNames last;
   const std::vector<std::string> materials = mtl_names(mesh);
   std::size_t faces = 0;
   const auto add_face = [&](std::size_t f) {
     meter.at(mesh.positions.size() + faces++);
     if (has_objects && mesh.face_objects[f] != object) {
       object = mesh.face_objects[f];
-      text += object_lines(mesh, object, scene);
+      const ObjectNames names = names_of(mesh, object, scene);
+      if (!names.o.empty() && (!scene || names.o != last.o)) text += "o " + names.o + "\n";
+      if (!names.g.empty()) text += "g " + names.g + "\n";
+      last = names;
     }
     if (!mesh.face_materials.empty() && mesh.face_materials[f] != material) {
       material = mesh.face_materials[f];
@@ -96,6 +125,10 @@ std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
     }
     text += '\n';
   };
+  if (has_objects) {
+    for (const std::size_t f : by_object(mesh, scene)) add_face(f);
+    return text;
+  }
   if (options.objects.empty()) {
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) add_face(f);
     return text;

@@ -119,6 +119,15 @@ class OffReader {
     return text_.number(what);
   }
 
+  /// `instead` for a number that is not finite.
+  double next_mended(const char* what, double instead) {
+    text_.skip_blank();
+    const double value = text_.any_number(what);
+    if (std::isfinite(value)) return value;
+    ++mended_;
+    return instead;
+  }
+
   bool has_line_per_row() {
     if (!line_per_row_) line_per_row_ = rows_fit_lines();
     return *line_per_row_;
@@ -156,7 +165,7 @@ class OffReader {
   std::size_t rest_of_row(RawColor& numbers) {
     if (!text_.more_on_line() || !has_line_per_row()) return 0;
     std::size_t count = 0;
-    while (count < 4 && text_.more_on_line()) numbers[count++] = text_.number("a colour");
+    while (count < 4 && text_.more_on_line()) numbers[count++] = next_mended("a colour", 1);
     text_.skip_line();
     return count;
   }
@@ -172,13 +181,13 @@ class OffReader {
       const double x = next(what), y = next(what);
       soup_.positions.emplace_back(x, y, next(what));
       if (kind_.normals) {
-        const double nx = next(what), ny = next(what);
-        soup_.normals.emplace_back(nx, ny, next(what));
+        const double nx = next_mended(what, 0), ny = next_mended(what, 0);
+        soup_.normals.emplace_back(nx, ny, next_mended(what, 0));
       }
       if (kind_.colors) read_vertex_color();
       if (kind_.uvs) {
-        const double s = next(what);
-        soup_.uvs.emplace_back(s, next(what));
+        const double s = next_mended(what, 0);
+        soup_.uvs.emplace_back(s, next_mended(what, 0));
       }
       if (text_.more_on_line() && has_line_per_row()) {
         ++longer_vertices_;
@@ -189,7 +198,7 @@ class OffReader {
 
   void read_vertex_color() {
     const char* what = "a vertex's colour";
-    const double r = next(what), g = next(what), b = next(what);
+    const double r = next_mended(what, 1), g = next_mended(what, 1), b = next_mended(what, 1);
     // A UV's two numbers may follow; alpha is there only if something stands before them.
     TextCursor ahead = text_;
     int left = 0;
@@ -198,7 +207,7 @@ class OffReader {
       ++left;
     }
     const bool has_alpha = left > (kind_.uvs ? 2 : 0) && has_line_per_row();
-    vertex_colors_.push_back({r, g, b, has_alpha ? next(what) : 1.0});
+    vertex_colors_.push_back({r, g, b, has_alpha ? next_mended(what, 1) : 1.0});
   }
 
   void read_faces() {
@@ -219,7 +228,7 @@ class OffReader {
         soup_.corners.push_back({index, kind_.uvs ? index : -1, kind_.normals ? index : -1});
       }
       soup_.close_polygon();
-      RawColor color{};
+      RawColor color{0, 0, 0, 1};
       const std::size_t numbers = rest_of_row(color);
       if (numbers >= 3 && face_colors_.empty()) {
         face_colors_.resize(f, RawColor{-1, -1, -1, 1});  // none
@@ -231,24 +240,39 @@ class OffReader {
     }
   }
 
-  /// As face attributes red, green and blue, 0 … 255; a face without a colour is white.
+  /// As face attributes red, green and blue, 0 … 255, and alpha where not all are opaque; a face
+  /// without a colour is white.
   void add_face_colors(SurfaceMesh& mesh) const {
     if (face_colors_.empty()) return;
     const double scale = 255 / color_scale(face_colors_);
-    const char* names[] = {"red", "green", "blue"};
-    for (std::size_t c = 0; c < 3; ++c) {
+    const char* names[] = {"red", "green", "blue", "alpha"};
+    const auto value_of = [&](const RawColor& color, std::size_t c) {
+      if (color[0] < 0) return 255.0;
+      // An alpha of 1 is opaque in either scale.
+      const double value = c == 3 && color[c] <= 1 ? 255 * color[c] : color[c] * scale;
+      return std::clamp(std::round(value), 0.0, 255.0);
+    };
+    for (std::size_t c = 0; c < 4; ++c) {
       Attribute channel{names[c], 1, {}};
       channel.values.reserve(mesh.source_faces.size());
+      bool any = c < 3;
       for (const std::int32_t f : mesh.source_faces) {
-        const double value = face_colors_[static_cast<std::size_t>(f)][c];
-        channel.values.push_back(value < 0 ? 255
-                                           : std::clamp(std::round(value * scale), 0.0, 255.0));
+        channel.values.push_back(value_of(face_colors_[static_cast<std::size_t>(f)], c));
+        any = any || channel.values.back() != 255;
       }
-      mesh.face_attributes.push_back(std::move(channel));
+      if (any) mesh.face_attributes.push_back(std::move(channel));
     }
   }
 
-  void warn() const {
+  void warn() {
+    if (text_.skip_blank()) {
+      source_.warn(fmt::format("{} bytes after the last face are not read", text_.remaining()));
+    }
+    if (mended_ > 0) {
+      source_.warn(fmt::format(
+          "{} numbers of normals, texture coordinates or colours are not finite; they are mended",
+          mended_));
+    }
     if (color_map_faces_ > 0) {
       source_.warn(
           fmt::format("{} faces name a colour of a map that is not in the file; they are "
@@ -271,7 +295,7 @@ class OffReader {
   std::optional<bool> line_per_row_;  ///< once it matters
   PolygonSoup soup_;
   std::vector<RawColor> vertex_colors_, face_colors_;
-  std::size_t color_map_faces_ = 0, longer_vertices_ = 0;
+  std::size_t color_map_faces_ = 0, longer_vertices_ = 0, mended_ = 0;
 };
 
 }  // namespace

@@ -135,7 +135,10 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
       if (what == "TextureFile") header.textures.push_back(rest);
       const std::string comment = std::string(what) + (rest.empty() ? "" : " " + rest);
       if (comment != "craze") header.comments.push_back(comment);
-    } else if (keyword != "obj_info") {
+    } else if (keyword == "obj_info") {
+      text.more_on_line();
+      header.infos.emplace_back(text.rest_of_line());
+    } else {
       text.fail(fmt::format("'{}' is not a PLY header line", printable(keyword)));
     }
   }

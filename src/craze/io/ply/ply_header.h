@@ -34,6 +34,7 @@ struct PlyHeader {
   std::vector<std::string> materials;  ///< of "comment material NAME" lines
   std::vector<std::string> textures;   ///< of "comment TextureFile NAME" lines
   std::vector<std::string> comments;   ///< those lines and others, but for materials and our own
+  std::vector<std::string> infos;      ///< of "obj_info" lines
   std::size_t size = 0;                ///< bytes up to and with the end_header line
   std::size_t lines = 0;
 };

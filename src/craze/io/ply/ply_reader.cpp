@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "craze/io/bytes/input_error.h"
@@ -19,38 +20,59 @@ bool is_float(PlyType type) {
   return type == PlyType::float32 || type == PlyType::float64;
 }
 
-/// Floats are 0 … 1, a little over for rounding's sake, or 0 … 255.
-double color_scale(PlyType type, const std::vector<double>& values) {
-  if (!is_float(type)) return type == PlyType::uint16 ? 65535 : 255;
-  constexpr double clearly_above_one = 2;
-  return std::any_of(values.begin(), values.end(), [](double x) { return x > clearly_above_one; })
-             ? 255
-             : 1;
+/// What stands for 1 in channels of a kind. Floats are 0 … 1, some a little over or bright beyond
+/// it, or 0 … 255: whole numbers, or far over.
+double color_scale(PlyRows& rows, const std::vector<std::string>& channels) {
+  constexpr double clearly_above_one = 2, above_all_light = 16;
+  double scale = 1, largest = 0;
+  bool whole = true;
+  for (const std::string& channel : channels) {
+    const PlyType type = rows.type(channel);
+    if (!is_float(type)) scale = std::max(scale, type == PlyType::uint16 ? 65535.0 : 255.0);
+    for (const double x : rows.take(channel)) {
+      largest = std::max(largest, x);
+      whole = whole && x == std::floor(x);
+    }
+  }
+  if (scale > 1) return scale;
+  return largest > above_all_light || (largest > clearly_above_one && whole) ? 255 : 1;
 }
 
-std::vector<Color> take_colors(PlyRows& rows) {
+struct VertexColors {
+  std::vector<Color> colors;
+  int bits = 0;             ///< as SourceScene::color_bits()
+  std::size_t bounded = 0;  ///< channels that were not within 0 … 1
+};
+
+VertexColors take_colors(PlyRows& rows) {
   const std::array<const char*, 4> synonyms[] = {
       {"red", "green", "blue", "alpha"},
       {"r", "g", "b", "a"},
       {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}};
+  VertexColors taken;
   for (const auto& names : synonyms) {
     if (!rows.has_all({names[0], names[1], names[2]})) continue;
-    std::vector<Color> colors(rows.count(), Color{1, 1, 1, 1});
-    double scale = 1;  // one for red, green and blue
-    for (std::size_t c = 0; c < 3; ++c) {
-      scale = std::max(scale, color_scale(rows.type(names[c]), rows.take(names[c])));
-    }
+    taken.colors.assign(rows.count(), Color{1, 1, 1, 1});
+    double scale = color_scale(rows, {names[0], names[1], names[2]});
     for (std::size_t c = 0; c < 4; ++c) {
       if (!rows.has(names[c])) continue;
+      const PlyType type = rows.type(names[c]);
       const std::vector<double>& values = rows.take(names[c]);
-      if (c == 3) scale = color_scale(rows.type(names[c]), values);
+      if (c == 3) scale = color_scale(rows, {names[c]});
+      const bool whole =
+          std::all_of(values.begin(), values.end(), [](double x) { return x == std::floor(x); });
+      const int of_floats = scale == 255 && whole ? 8 : 32;
+      const int of_type = type == PlyType::uint16 ? 16 : 8;
+      taken.bits = std::max(taken.bits, is_float(type) ? of_floats : of_type);
       for (std::size_t i = 0; i < values.size(); ++i) {
-        colors[i][c] = static_cast<float>(std::clamp(values[i] / scale, 0.0, 1.0));
+        const double value = values[i] / scale, inside = std::clamp(value, 0.0, 1.0);
+        taken.bounded += std::abs(value - inside) > 1e-6;
+        taken.colors[i][c] = static_cast<float>(inside);
       }
     }
-    return colors;
+    return taken;
   }
-  return {};
+  return taken;
 }
 
 /// Calls visit(a, b, c) for the triangles of strips, the turn of every other one undone. A negative
@@ -108,6 +130,7 @@ class PlyReader {
         read_strips(rows);
       }
       warn_of_lists(rows, element);
+      rows.warn_of_mended(source_);
     }
     if (body.surplus_rows() > 0) {
       source_.warn(
@@ -115,17 +138,12 @@ class PlyReader {
                       "read",
                       body.surplus_rows()));
     }
+    if (const std::size_t bytes = body.unread(); bytes > 0) {
+      source_.warn(fmt::format("{} bytes after the last row are not read", bytes));
+    }
     add_strips();
-    source_.textures = header.textures;
-    if (source_.looks && header.textures.size() == 1) {
-      MaterialLook look;
-      look.base_picture.file = header.textures[0];
-      source_.looks->assign(std::max<std::size_t>(1, header.materials.size()), look);
-    }
-    if (!header.comments.empty()) {
-      source_.scene = std::make_shared<const PlyScene>(header.comments);
-    }
     link_corners();
+    const bool has_uvs = !soup_.uvs.empty();
     SurfaceMesh mesh = triangulate(std::move(soup_), source_);
     mesh.vertex_colors = std::move(colors_);
     mesh.vertex_attributes = std::move(vertex_attributes_);
@@ -133,10 +151,50 @@ class PlyReader {
     for (const Attribute& a : face_attributes_) {
       mesh.face_attributes.push_back(spread(a, mesh.source_faces));
     }
+    if (has_uvs && header.materials.empty()) give_textures(header, mesh);
+    keep_scene(header, mesh);
     return mesh;
   }
 
  private:
+  /// A material for each texture, where faces say which is theirs or there is only one.
+  void give_textures(const PlyHeader& header, SurfaceMesh& mesh) const {
+    const std::vector<std::string> names = texture_materials(header);
+    const Attribute* numbers = find_attribute(mesh.face_attributes, "texnumber");
+    if (names.empty()) return;
+    if (names.size() > 1 && !numbers) {
+      source_.warn(fmt::format(
+          "{} textures are named, and no face says which is its own (texnumber)", names.size()));
+      return;
+    }
+    mesh.material_names = names;
+    mesh.face_materials.assign(mesh.triangles.size(), 0);
+    for (std::size_t f = 0; names.size() > 1 && f < mesh.triangles.size(); ++f) {
+      const std::int32_t number = to_index(numbers->values[f]);
+      const bool is_one = number >= 0 && static_cast<std::size_t>(number) < names.size();
+      mesh.face_materials[f] = is_one ? number : -1;
+    }
+  }
+
+  void keep_scene(const PlyHeader& header, const SurfaceMesh& mesh) const {
+    source_.textures = header.textures;
+    if (bounded_colors_ > 0) {
+      source_.warn(fmt::format("{} channels of colours go beyond 0 to 1; they are bounded to it",
+                               bounded_colors_));
+    }
+    if (header.comments.empty() && header.infos.empty() && color_bits_ == 0) {
+      return;
+    }
+    const auto scene = std::make_shared<PlyScene>();
+    scene->folder = std::filesystem::path(name_).parent_path();
+    scene->comments = header.comments;
+    scene->infos = header.infos;
+    scene->bits = color_bits_;
+    bring_textures(mesh.material_names, header, source_, *scene);
+    if (source_.looks && !scene->looks.empty()) *source_.looks = scene->looks;
+    source_.scene = scene;
+  }
+
   void read_vertices(PlyRows& rows) {
     if (!soup_.positions.empty()) fail_input(name_, "it has two 'vertex' elements");
     if (!rows.has_all({"x", "y", "z"})) fail_input(name_, "its vertices lack x, y or z");
@@ -158,7 +216,10 @@ class PlyReader {
       const auto &u = rows.take(u_name), &v = rows.take(v_name);
       for (std::size_t i = 0; i < rows.count(); ++i) vertex_uvs_.emplace_back(u[i], v[i]);
     }
-    colors_ = take_colors(rows);
+    VertexColors taken = take_colors(rows);
+    colors_ = std::move(taken.colors);
+    color_bits_ = taken.bits;
+    bounded_colors_ = taken.bounded;
     vertex_attributes_ = rows.attributes();
   }
 
@@ -263,6 +324,8 @@ class PlyReader {
   std::vector<Vec2> vertex_uvs_;
   std::vector<std::int32_t> strips_;  ///< vertices of their triangles
   std::vector<Color> colors_;
+  int color_bits_ = 0;
+  std::size_t bounded_colors_ = 0;
   std::vector<Attribute> vertex_attributes_, face_attributes_;
 };
 

@@ -9,13 +9,45 @@
 
 namespace craze {
 
+namespace {
+
+/// Whether there is no surface without the property.
+bool is_needed(const std::string& property) {
+  for (const char* needed : {"x", "y", "z", "vertex_indices", "vertex_index", "material_index"}) {
+    if (property == needed) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 PlyRows::PlyRows(const PlyElement& element, std::vector<PlyColumn> columns, const std::string& name)
-    : element_(element), columns_(std::move(columns)), taken_(columns_.size()), name_(name) {
+    : element_(element),
+      columns_(std::move(columns)),
+      taken_(columns_.size()),
+      mended_(columns_.size(), 0),
+      name_(name) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     for (std::size_t k = 0; k < columns_[i].values.size(); ++k) {
-      if (!std::isfinite(columns_[i].values[k])) fail_value(i, k);
+      double& value = columns_[i].values[k];
+      if (std::isfinite(value)) continue;
+      if (is_needed(element.properties[i].name)) fail_value(i, k);
+      value = 0;
+      ++mended_[i];
     }
   }
+}
+
+void PlyRows::warn_of_mended(const MeshSource& source) const {
+  std::string list;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (mended_[i] == 0) continue;
+    list += fmt::format("{}{} of '{}'", list.empty() ? "" : ", ", mended_[i],
+                        printable(element_.properties[i].name));
+  }
+  if (list.empty()) return;
+  source.warn(fmt::format("values of '{}' that are not finite numbers are 0: {}",
+                          printable(element_.name), list));
 }
 
 void PlyRows::fail_value(std::size_t column, std::size_t k) const {

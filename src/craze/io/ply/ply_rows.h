@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "craze/io/mesh_source.h"
 #include "craze/io/ply/ply_table.h"
 #include "craze/surface_mesh.h"
 
@@ -13,7 +14,7 @@ namespace craze {
 class PlyRows {
  public:
   /// `element` and `name`, the file's, must outlive this. Throws Error(input), naming the row, for
-  /// a value that is not finite.
+  /// a place or an index that is not finite; any other value that is not becomes 0.
   PlyRows(const PlyElement& element, std::vector<PlyColumn> columns, const std::string& name);
 
   std::size_t count() const { return element_.count; }
@@ -27,6 +28,8 @@ class PlyRows {
   const std::vector<double>& take(const std::string& property);
   const PlyColumn& take_list(const std::string& property);
 
+  /// Names, in one sentence, the values that were made 0.
+  void warn_of_mended(const MeshSource& source) const;
   /// The names of the lists not taken.
   std::vector<std::string> lists_left() const;
   /// The scalars not taken, NAME_0 NAME_1 … as one.
@@ -41,6 +44,7 @@ class PlyRows {
   const PlyElement& element_;
   std::vector<PlyColumn> columns_;
   std::vector<bool> taken_;
+  std::vector<std::size_t> mended_;  ///< per column: values that were not finite
   const std::string& name_;
 };
 

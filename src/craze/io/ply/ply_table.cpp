@@ -98,7 +98,7 @@ std::vector<PlyColumn> PlyBody::read(const PlyElement& element) {
 void PlyBody::read_ascii(const PlyElement& element, std::vector<PlyColumn>& columns) {
   const auto number = [&](const PlyProperty& p) {
     if (!text_.skip_blank()) fail_short(element);
-    return text_.number(p.name.c_str());
+    return text_.any_number(p.name.c_str());
   };
   for (std::size_t row = 0; row < element.count; ++row) {
     meter_.at(size_ - text_.remaining());
@@ -117,6 +117,11 @@ void PlyBody::read_ascii(const PlyElement& element, std::vector<PlyColumn>& colu
     }
     skip_surplus();
   }
+}
+
+std::size_t PlyBody::unread() {
+  if (header_.format != PlyFormat::ascii) return rest_.size();
+  return text_.skip_blank() ? text_.remaining() : 0;
 }
 
 void PlyBody::skip_surplus() {

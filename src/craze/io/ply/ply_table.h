@@ -32,6 +32,9 @@ class PlyBody {
   /// Rows so far of an ascii file whose lines hold more numbers than the header declares.
   std::size_t surplus_rows() const { return surplus_rows_; }
 
+  /// Bytes after the rows read so far that say something.
+  std::size_t unread();
+
  private:
   void read_ascii(const PlyElement& element, std::vector<PlyColumn>& columns);
   void read_fixed(const PlyElement& element, std::vector<PlyColumn>& columns);

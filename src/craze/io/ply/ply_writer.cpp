@@ -20,6 +20,19 @@ std::string one_line(std::string text) {
   return text;
 }
 
+/// Bits of each channel: as many as the file had, or as the colours need; 32 stands for fractions.
+int color_bits(const std::vector<Color>& colors, const SourceScene* scene) {
+  const int had = scene ? scene->color_bits() : 0;
+  if (had == 8 || had == 16) return had;
+  constexpr float rounding = 1e-4f;
+  for (const Color& color : colors) {
+    for (const float c : color) {
+      if (std::abs(255 * c - std::round(255 * c)) > rounding) return 32;
+    }
+  }
+  return 8;
+}
+
 /// Whether other programs take the attribute for a channel of the faces' colour, in whole numbers.
 bool is_color_channel(const Attribute& a) {
   const bool named = a.name == "red" || a.name == "green" || a.name == "blue" || a.name == "alpha";
@@ -49,10 +62,14 @@ std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions& options,
                       [&unified, k](std::size_t i) { return unified.uvs[i][k]; });
   }
   const char* colors[] = {"red", "green", "blue", "alpha"};
+  const int bits = color_bits(mesh.vertex_colors, options.scene.get());
+  const char* type = bits == 8 ? "uchar" : bits == 16 ? "ushort" : "float";
   for (int k = 0; k < 4 && !mesh.vertex_colors.empty(); ++k) {
-    vertex.add(colors[k], "uchar", [&mesh, source, k](std::string& bytes, std::size_t i) {
+    vertex.add(colors[k], type, [&mesh, source, k, bits](std::string& bytes, std::size_t i) {
       const float c = std::clamp(mesh.vertex_colors[source(i)][k], 0.0f, 1.0f);
-      append(bytes, static_cast<std::uint8_t>(std::lround(255 * c)));
+      if (bits == 8) return append(bytes, static_cast<std::uint8_t>(std::lround(255 * c)));
+      if (bits == 16) return append(bytes, static_cast<std::uint16_t>(std::lround(65535 * c)));
+      append(bytes, c);
     });
   }
   for (const Attribute& a : mesh.vertex_attributes) vertex.add_attribute(a, source);
@@ -75,6 +92,7 @@ std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions& options,
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment craze\n";
   if (const auto* scene = dynamic_cast<const PlyScene*>(options.scene.get())) {
     for (const std::string& comment : scene->comments) bytes += "comment " + comment + "\n";
+    for (const std::string& info : scene->infos) bytes += "obj_info " + info + "\n";
   }
   for (const std::string& material : mesh.material_names) {
     bytes += fmt::format("comment material {}\n", one_line(material));

@@ -112,6 +112,16 @@ void warn_of_missing(const MeshSource& source, const PolygonSoup& soup, const ch
                           missing, what));
 }
 
+void warn_of_short_faces(const MeshSource& source, const PolygonSoup& soup) {
+  std::size_t begin = 0, count = 0;
+  for (const std::size_t end : soup.ends) {
+    count += end - begin < 3;
+    begin = end;
+  }
+  if (count > 0)
+    source.warn(fmt::format("{} faces of fewer than three corners are left out", count));
+}
+
 }  // namespace
 
 SurfaceMesh triangulate(PolygonSoup&& soup, const MeshSource& source) {
@@ -119,6 +129,7 @@ SurfaceMesh triangulate(PolygonSoup&& soup, const MeshSource& source) {
   if (soup.ends.size() > max_index) fail_input(name, "it has more than 2^31 - 1 faces");
   warn_of_missing(source, soup, "texture coordinates", &SoupCorner::uv, soup.uvs.size());
   warn_of_missing(source, soup, "normals", &SoupCorner::normal, soup.normals.size());
+  warn_of_short_faces(source, soup);
   Triangulator triangulator(soup, name);
   ProgressMeter meter(source.context, {}, soup.ends.size());
   for (std::size_t p = 0; p < soup.ends.size(); ++p) {

@@ -31,9 +31,9 @@ struct PolygonSoup {
 
 /// Checks every index, cuts the polygons into triangles and fills positions, triangles,
 /// source_faces, corner_uvs, corner_normals, face_materials and face_objects. Polygons of fewer
-/// than three corners vanish. A corner without a UV gets (0, 0), one without a normal its
-/// triangle's; warns where they were never given. Throws Error(input) for a vertex out of range and
-/// where no triangle is left.
+/// than three corners vanish, with a warning. A corner without a UV gets (0, 0), one without a
+/// normal its triangle's; warns where they were never given. Throws Error(input) for a vertex out
+/// of range and where no triangle is left.
 SurfaceMesh triangulate(PolygonSoup&& soup, const MeshSource& source);
 
 /// Throws Error(input) for a mesh that has no triangle, or more vertices or corners than 2³¹ − 1.

@@ -26,7 +26,7 @@ class AsciiReader {
       : text_(source.bytes, source.name),
         meter_(source.context, "load", source.bytes.size(), meter_step) {}
 
-  std::vector<Vec3> read() {
+  StlFacets read() {
     while (text_.skip_blank()) {
       meter_.at(text_.offset());
       const std::string_view word = text_.word();
@@ -37,7 +37,9 @@ class AsciiReader {
       } else if (equal_ignoring_case(word, "endloop")) {
         if (in_loop_ != 3) text_.fail(fmt::format("a loop has {} vertices, not 3", in_loop_));
         in_loop_ = 0;
-      } else if (equal_ignoring_case(word, "solid") || equal_ignoring_case(word, "endsolid")) {
+      } else if (equal_ignoring_case(word, "solid")) {
+        read_name();
+      } else if (equal_ignoring_case(word, "endsolid")) {
         skip_name();
       } else if (equal_ignoring_case(word, "facet")) {
         skip_normal();
@@ -47,7 +49,7 @@ class AsciiReader {
       }
     }
     if (in_loop_ != 0) text_.fail("the file ends within a facet");
-    return std::move(corners_);
+    return {std::move(corners_), {}, std::move(solids_)};
   }
 
  private:
@@ -63,8 +65,21 @@ class AsciiReader {
     return ahead.skip_blank() && equal_ignoring_case(ahead.word(), "normal");
   }
 
-  void skip_name() {
-    while (text_.more_on_line() && !at_facet()) text_.word();
+  void skip_name() { static_cast<void>(name()); }
+
+  std::string name() {
+    std::string words;
+    while (text_.more_on_line() && !at_facet()) {
+      words += words.empty() ? "" : " ";
+      words += text_.word();
+    }
+    return words;
+  }
+
+  void read_name() {
+    constexpr std::size_t most = 10'000;
+    std::string words = name();
+    if (!words.empty() && solids_.size() < most) solids_.push_back(std::move(words));
   }
 
   /// Three numbers, or what stands for them; they follow from the corners.
@@ -83,13 +98,14 @@ class AsciiReader {
   TextCursor text_;
   ProgressMeter meter_;
   std::vector<Vec3> corners_;
+  std::vector<std::string> solids_;
   std::size_t in_loop_ = 0;
 };
 
 }  // namespace
 
 StlFacets read_ascii_stl(const MeshSource& source) {
-  return {AsciiReader(source).read(), {}};
+  return AsciiReader(source).read();
 }
 
 }  // namespace craze

@@ -1,6 +1,8 @@
 // The meaning of the attribute bytes as colours is that of VisCAM and SolidView, and of Magics.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "craze/base/progress_meter.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/bytes/input_error.h"
@@ -72,6 +74,18 @@ class FaceColors {
   std::vector<double> values_[3];
 };
 
+/// The header's text up to what it says of colours.
+std::string title_of(std::string_view bytes) {
+  std::string_view title = bytes.substr(0, title_size);
+  for (const std::string_view key : {"COLOR=", "MATERIAL="}) {
+    title = title.substr(0, std::min(title.find(key), title.size()));
+  }
+  title = title.substr(0, std::min(title.find('\0'), title.size()));
+  const std::size_t last = title.find_last_not_of(" \t\r\n,;");
+  title = title.substr(0, last == std::string_view::npos ? 0 : last + 1);
+  return title == own_title ? std::string() : std::string(title);
+}
+
 }  // namespace
 
 StlRecords find_stl_records(const MeshSource& source) {
@@ -96,6 +110,7 @@ StlFacets read_binary_stl(const MeshSource& source) {
   const StlRecords records = find_stl_records(source);
   ProgressMeter meter(source.context, "load", records.count);
   StlFacets facets;
+  facets.title = title_of(source.bytes);
   facets.corners.reserve(3 * records.count);
   FaceColors colors(source.bytes);
   std::size_t attribute_bytes = 0;

@@ -1,6 +1,7 @@
 // What an STL file holds: triangles of their own, and perhaps a colour for each.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +14,12 @@ namespace craze {
 struct StlFacets {
   std::vector<Vec3> corners;      ///< three each
   std::vector<Attribute> colors;  ///< red, green, blue, 0 … 255; empty where there are none
+  std::vector<std::string> solids = {};  ///< names that an ascii file gives them
+  std::string title = {};                ///< what a binary file's header says, but for colours
 };
+
+/// The header of our own files; must not start with "solid".
+inline constexpr std::string_view own_title = "binary STL by craze";
 
 /// Ascii or binary, by content: a binary file may well begin with "solid". Throws Error(input).
 StlFacets read_stl_facets(const MeshSource& source);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <memory>
 #include <numeric>
 #include <tuple>
 
@@ -75,6 +76,19 @@ void weld(const std::vector<Vec3>& corners, SurfaceMesh& mesh) {
   }
 }
 
+/// What a file says besides its triangles.
+class StlScene : public SourceScene {
+ public:
+  StlScene(std::vector<std::string> solids, const std::string& title) {
+    if (!solids.empty()) contents_.push_back({"names of solids", std::move(solids), true});
+    if (!title.empty()) contents_.push_back({"the header's text", {title}, true});
+  }
+  std::vector<SceneContent> contents() const override { return contents_; }
+
+ private:
+  std::vector<SceneContent> contents_;
+};
+
 }  // namespace
 
 SurfaceMesh read_stl(const MeshSource& source) {
@@ -88,6 +102,9 @@ SurfaceMesh read_stl(const MeshSource& source) {
   std::iota(mesh.source_faces.begin(), mesh.source_faces.end(), 0);
   mesh.face_attributes = std::move(facets.colors);
   check_size(mesh, source.name);
+  if (!facets.solids.empty() || !facets.title.empty()) {
+    source.scene = std::make_shared<const StlScene>(std::move(facets.solids), facets.title);
+  }
   return mesh;
 }
 

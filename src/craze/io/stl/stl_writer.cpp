@@ -8,6 +8,7 @@
 #include "craze/io/polygons/face_normal.h"
 #include "craze/io/polygons/single_precision.h"
 #include "craze/io/stl/stl.h"
+#include "craze/io/stl/stl_facets.h"
 
 namespace craze {
 
@@ -48,8 +49,7 @@ std::string format_stl(const SurfaceMesh& mesh, const MeshFileOptions& options,
                        const Context& context) {
   ProgressMeter meter(context, "write", mesh.triangles.size());
   std::string bytes(80, '\0');
-  const std::string_view title = "binary STL by craze";  // must not start with "solid"
-  bytes.replace(0, title.size(), title);
+  bytes.replace(0, own_title.size(), own_title);
   bytes.reserve(84 + 50 * mesh.triangles.size());
   append(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   const FaceColors colors(mesh);

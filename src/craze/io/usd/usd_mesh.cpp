@@ -25,16 +25,30 @@ float to_float(double x) {
   return static_cast<float>(std::clamp(x, -most, most));
 }
 
-bool are_whole(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double x) {
-    return std::abs(x) <= std::numeric_limits<std::int32_t>::max() && x == std::floor(x);
-  });
+/// Attributes of our own that are numbers of things.
+bool counts_things(const Attribute& a) {
+  constexpr double most = std::numeric_limits<std::int32_t>::max();
+  return a.components == 1 && (a.name == "fragment" || a.name == "source_face") &&
+         std::all_of(a.values.begin(), a.values.end(),
+                     [](double x) { return std::abs(x) <= most && x == std::floor(x); });
+}
+
+/// Whole numbers that a float would round.
+bool needs_double(const std::vector<double>& values) {
+  constexpr double exact = 16777216;  // 2²⁴
+  return std::any_of(values.begin(), values.end(),
+                     [](double x) { return std::abs(x) > exact && x == std::floor(x); });
 }
 
 class MeshWriter {
  public:
   MeshWriter(const SurfaceMesh& mesh, const Context& context)
-      : mesh_(mesh), context_(context), meter_(context, "write", 0) {}
+      : mesh_(mesh), context_(context), meter_(context, "write", 0) {
+    // What these mean is the format's own.
+    for (const char* name : {"st", "normals", "displayColor", "displayOpacity"}) {
+      primvars_.take(name);
+    }
+  }
 
   std::string write(const std::string& name, const Vec3& origin,
                     const std::vector<MorphStage>& stages, const UsdClip& clip,
@@ -188,11 +202,13 @@ class MeshWriter {
         per_vertex);
   }
 
-  /// As numbers, or vectors of up to four; more components stay numbers with an elementSize.
+  /// As numbers, or vectors of up to four; more components stay numbers with an elementSize. Types
+  /// go by the name, so that files of one kind are alike, and to double where a float would round.
   void write_attribute(const Attribute& a, const char* interpolation) {
     const int n = a.components <= 4 ? a.components : 1;
-    const bool whole = n == 1 && are_whole(a.values);
-    const std::string type = whole ? "int" : n == 1 ? "float" : fmt::format("float{}", n);
+    const bool whole = counts_things(a), wide = !whole && needs_double(a.values);
+    const std::string number = whole ? "int" : wide ? "double" : "float";
+    const std::string type = n == 1 ? number : fmt::format("{}{}", number, n);
     std::string metadata = fmt::format(" (interpolation = \"{}\"", interpolation);
     if (a.components > 4) metadata += fmt::format("; elementSize = {}", a.components);
     metadata += ')';
@@ -202,6 +218,7 @@ class MeshWriter {
         [&](std::string& out, std::size_t i) {
           const double* values = &a.values[static_cast<std::size_t>(n) * i];
           if (whole) return append_usd_number(out, static_cast<std::int32_t>(*values));
+          if (wide) return append_usd_tuple(out, values, n);
           std::array<float, 4> numbers{};
           std::transform(values, values + n, numbers.begin(), to_float);
           append_usd_tuple(out, numbers.data(), n);

@@ -68,7 +68,7 @@ MappedScene mapped_scene(const SurfaceMesh& surface,
 bool has_pictures(const SourceScene* scene) {
   if (!scene) return false;
   for (const SceneContent& content : scene->contents()) {
-    if (content.kind == "pictures of base colours" || content.kind == "images") return true;
+    if (content.kind == "pictures of materials" || content.kind == "images") return true;
   }
   return false;
 }

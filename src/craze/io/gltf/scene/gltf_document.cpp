@@ -8,6 +8,8 @@ namespace craze {
 
 namespace {
 
+const std::string unnamed = "the scene";  // the document, for messages
+
 /// The names of the objects in one of the document's lists.
 SceneContent named(const Json& root, const char* list, const char* kind) {
   SceneContent content{kind, {}};
@@ -71,7 +73,8 @@ GltfDocument::GltfDocument(Json root, std::string bin, std::vector<GltfPart> par
       bin_(std::move(bin)),
       parts_(std::move(parts)),
       triangles_(mesh.triangles),
-      positions_(mesh.positions) {
+      positions_(mesh.positions),
+      objects_(mesh.object_names) {
   for (const Attribute& a : mesh.vertex_attributes) attributes_.push_back(a.name);
 }
 
@@ -80,6 +83,51 @@ std::size_t GltfDocument::part_of(std::int32_t face) const {
       std::upper_bound(parts_.begin(), parts_.end(), face,
                        [](std::int32_t f, const GltfPart& part) { return f < part.first_face; });
   return static_cast<std::size_t>(after - parts_.begin()) - 1;
+}
+
+int GltfDocument::color_bits() const {
+  int bits = 0;
+  const GltfJson json(unnamed);
+  for (const Json& mesh : json.array(root_, "meshes")) {
+    for (const Json& primitive : json.array(mesh, "primitives")) {
+      const auto attributes = primitive.find("attributes");
+      if (attributes == primitive.end() || !attributes->is_object()) continue;
+      const auto accessor = json.index(*attributes, "COLOR_0");
+      if (!accessor) continue;
+      const std::size_t type =
+          json.index_or(json.item(root_, "accessors", *accessor), "componentType", 0);
+      bits = std::max(bits, 8 * static_cast<int>(component_size(type)));
+    }
+  }
+  return bits;
+}
+
+std::vector<OtherName> GltfDocument::other_names() const {
+  const GltfJson json(unnamed);
+  const Json& nodes = json.array(root_, "nodes");
+  std::vector<std::size_t> parent(nodes.size(), nodes.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    for (const Json& child : json.array(nodes[n], "children")) {
+      const std::size_t c = json.as_index(child, "children");
+      if (c < nodes.size()) parent[c] = n;
+    }
+  }
+  std::vector<OtherName> names;
+  std::set<std::int32_t> seen;
+  for (const GltfPart& part : parts_) {
+    const auto object = static_cast<std::size_t>(part.object);
+    if (object >= objects_.size() || !seen.insert(part.object).second) continue;
+    const auto add = [&](const Json& named) {
+      const std::string name = json.text(named, "name");
+      if (!name.empty()) names.push_back({name, objects_[object]});
+    };
+    add(json.item(root_, "meshes", part.mesh));
+    std::size_t left = nodes.size();  // a ring is no tree
+    for (std::size_t n = part.node; n < nodes.size() && left > 0; n = parent[n], --left) {
+      add(nodes[n]);
+    }
+  }
+  return names;
 }
 
 std::vector<SceneContent> GltfDocument::contents() const {

@@ -36,6 +36,9 @@ class GltfDocument : public SourceScene {
   GltfDocument(Json root, std::string bin, std::vector<GltfPart> parts, const SurfaceMesh& mesh);
 
   std::vector<SceneContent> contents() const override;
+  int color_bits() const override;
+  /// Of the nodes above, and of the mesh.
+  std::vector<OtherName> other_names() const override;
 
   const Json& root() const { return root_; }
   const std::string& bin() const { return bin_; }
@@ -54,7 +57,7 @@ class GltfDocument : public SourceScene {
   std::vector<GltfPart> parts_;
   std::vector<Triangle> triangles_;
   std::vector<Vec3> positions_;
-  std::vector<std::string> attributes_;
+  std::vector<std::string> attributes_, objects_;
 };
 
 /// Keeps what was read. Null, with a warning, where a part of it cannot be brought; a picture that

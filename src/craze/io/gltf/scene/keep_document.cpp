@@ -1,8 +1,13 @@
 // Format: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.6.1 and 3.8.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "craze/error.h"
+#include "craze/io/bytes/base64.h"
+#include "craze/io/bytes/byte_order.h"
 #include "craze/io/bytes/input_error.h"
+#include "craze/io/files/sibling_files.h"
 #include "craze/io/gltf/scene/gltf_document.h"
 #include "craze/io/image/picture_fault.h"
 #include "craze/io/image/picture_type.h"
@@ -39,6 +44,7 @@ class Gatherer {
       bin_ += accessors_.buffer(b);
     }
     for (std::size_t v = 0; v < json_.array(root_, "bufferViews").size(); ++v) move_view(v, begins);
+    for (const auto& [accessor, instead] : accessors_.broken()) mend(accessor, instead);
     for (std::size_t i = 0; i < json_.array(root_, "images").size(); ++i) move_picture(i);
     if (bin_.empty()) return bin_;
     // What one buffer says of itself stays; of several nothing can.
@@ -50,6 +56,33 @@ class Gatherer {
   }
 
  private:
+  /// Puts `instead` for the numbers of an accessor that are not finite, its sparse ones too.
+  void mend(std::size_t accessor, double instead) {
+    const Json json = json_.item(root_, "accessors", accessor);
+    const std::size_t floats = accessors_.elements(accessor).components;
+    mend_floats(json, json_.index_or(json, "count", 0), floats, instead);
+    const Json::json_pointer values("/sparse/values"), count("/sparse/count");
+    if (json.contains(values) && json.contains(count)) {
+      mend_floats(json[values], json_.as_index(json[count], "count"), floats, instead);
+    }
+  }
+
+  void mend_floats(const Json& place, std::size_t count, std::size_t floats, double instead) {
+    const auto number = json_.index(place, "bufferView");
+    if (!number) return;
+    const Json& view = json_.item(root_, "bufferViews", *number);
+    const std::size_t size = floats * sizeof(float),
+                      stride = json_.index_or(view, "byteStride", size),
+                      begin = json_.index_or(view, "byteOffset", 0) +
+                              json_.index_or(place, "byteOffset", 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < floats; ++k) {
+        char* const at = bin_.data() + begin + i * stride + k * sizeof(float);
+        if (!std::isfinite(load<float>(at))) store(at, static_cast<float>(instead));
+      }
+    }
+  }
+
   void move_view(std::size_t v, const std::vector<std::size_t>& begins) {
     json_.item(root_, "bufferViews", v);
     Json& view = root_["bufferViews"][v];
@@ -71,7 +104,7 @@ class Gatherer {
     Json& image = root_["images"][i];
     const std::string uri = json_.text(image, "uri");
     if (uri.empty()) return look_at_held(i);
-    const bool inside = uri.starts_with("data:");
+    const bool inside = is_data_uri(uri);
     std::string_view bytes;
     try {
       bytes = accessors_.source(uri);
@@ -81,14 +114,14 @@ class Gatherer {
       return;
     }
     std::string type = picture_type(bytes);
-    if (type.empty() && inside) type = uri.substr(5, uri.find_first_of(";,") - 5);
+    if (type.empty() && inside) type = std::string(data_uri_type(uri));
     if (type.empty()) return;
     warn_of_fault(i, bytes);
     pad(bin_);
     image.erase("uri");
     image["mimeType"] = type;
     image["bufferView"] = json_.array(root_, "bufferViews").size();
-    if (!inside && !image.contains("name")) image["name"] = stem(uri);
+    if (!inside && !image.contains("name")) image["name"] = stem(decode_percent(uri));
     root_["bufferViews"].push_back(
         {{"buffer", 0}, {"byteOffset", bin_.size()}, {"byteLength", bytes.size()}});
     bin_ += bytes;

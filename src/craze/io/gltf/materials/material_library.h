@@ -21,8 +21,8 @@ struct MaterialLibrary {
 };
 
 /// Of a glTF document all that its materials need, but for textures by UV sets that a mesh has not;
-/// of an OBJ file's libraries colour, opacity and picture. Empty for anything else. `mesh` was made
-/// of the scene's surface.
+/// of an OBJ file's libraries colour, opacity, emission, roughness, metalness and pictures; of a
+/// PLY file its textures. Empty for anything else. `mesh` was made of the scene's surface.
 MaterialLibrary material_library(const SourceScene* scene, const SurfaceMesh& mesh);
 
 /// The names of extensions that a document's objects use, in order.
