@@ -36,6 +36,20 @@ TEST(SelfIntersection, TrianglesThatShareACornerCrossWhereTheOppositeEdgeGoesThr
   EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {0, 6, 7}}).empty());
 }
 
+TEST(SelfIntersection, TrianglesThatShareACornerCrossWhereTheirOppositeEdgesMeet) {
+  // Walls that stand on one point below, whose rims cross in the plane above.
+  const std::vector<Vec3> p{{0.3, 0.2, -1}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0},
+                            {0, 1, 0},      {1, 1, 0},  {0, 0, 0}, {-0.3, -0.2, 1}};
+  for (const Triangle& s : {Triangle{0, 1, 2}, Triangle{1, 2, 0}, Triangle{2, 1, 0}}) {
+    for (const Triangle& t : {Triangle{0, 3, 4}, Triangle{4, 0, 3}, Triangle{4, 3, 0}}) {
+      EXPECT_EQ(self_intersections(p, {s, t}).size(), 1u);
+    }
+  }
+  EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {0, 4, 5}}).empty()) << "they are apart";
+  EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {0, 4, 6}}).empty()) << "they touch";
+  EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {7, 3, 4}}).empty()) << "they share no corner";
+}
+
 TEST(SelfIntersection, ASoundSurfaceHasNone) {
   const TriangleMesh torus = test::torus(40);
   EXPECT_TRUE(self_intersections(torus.positions(), torus.triangles()).empty());

@@ -22,14 +22,16 @@ double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return (b - a).cross(c - a).dot(d - a);
 }
 
-/// Whether pq goes from one side of abc to the other through its inside.
-bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c,
-             double size) {
+/// Whether pq goes from one side of abc to the other through its inside, or, where `through_ab`,
+/// through ab.
+bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c, double size,
+             bool through_ab) {
   const double tiny = rounding * size * size * size;
   const double above = volume(a, b, c, p), below = volume(a, b, c, q);
   if (!((above > tiny && below < -tiny) || (above < -tiny && below > tiny))) return false;
   const double u = volume(p, q, a, b), v = volume(p, q, b, c), w = volume(p, q, c, a);
-  return (u > tiny && v > tiny && w > tiny) || (u < -tiny && v < -tiny && w < -tiny);
+  const double inside = through_ab ? -tiny : tiny;
+  return (u > inside && v > tiny && w > tiny) || (u < -inside && v < -tiny && w < -tiny);
 }
 
 class Triangles {
@@ -58,17 +60,22 @@ class Triangles {
     Box both = box(f);
     both.extend(box(g));
     const double size = both.diagonal().norm();
-    return edges_pierce(s, shared[0], t, size) || edges_pierce(t, shared[1], s, size);
+    return edges_pierce(s, shared[0], t, shared[1], size) ||
+           edges_pierce(t, shared[1], s, shared[0], size);
   }
 
  private:
+  /// Edges opposite a shared corner that meet are one way to it from inside both triangles.
   bool edges_pierce(const Triangle& edges, const bool* shared, const Triangle& t,
-                    double size) const {
+                    const bool* t_shared, double size) const {
+    int last = 2;
+    while (last > 0 && !t_shared[last]) --last;
+    const bool share = t_shared[last];
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       if (shared[i] || shared[j]) continue;
-      if (pierces(positions_[edges[i]], positions_[edges[j]], positions_[t[0]], positions_[t[1]],
-                  positions_[t[2]], size)) {
+      if (pierces(positions_[edges[i]], positions_[edges[j]], positions_[t[(last + 1) % 3]],
+                  positions_[t[(last + 2) % 3]], positions_[t[last]], size, share)) {
         return true;
       }
     }
