@@ -301,6 +301,29 @@ TEST(RoughFaces, SayWhatTheyLack) {
   EXPECT_EQ(warned(faces_of(smooth, 0.05, 0.03, 0, 0)), 0);
 }
 
+TEST(RoughFaces, SayWhatIsNotSeenAndWhichRowsAreFewer) {
+  const Result run = rough_run("plate?n=16", 0.25);
+  const auto said = [&](double gap, double face_roughness, double step = 0, double wall = 0.1) {
+    PostParameters post = faces_of(run, gap, wall, 0, face_roughness);
+    post.roughness_step = step;
+    std::string all;
+    const Opening opening(run, post, {});
+    for (const std::string& warning : opening.warnings()) {
+      if (warning.find("post.face_roughness") != std::string::npos ||
+          warning.find("post.roughness_step") != std::string::npos) {
+        all += warning + "\n";
+      }
+    }
+    return all;
+  };
+  EXPECT_EQ(said(0.02, 1), "");
+  EXPECT_NE(said(0, 1).find("cracks are shut"), std::string::npos);
+  EXPECT_EQ(said(0, 0), "");
+  EXPECT_NE(said(0.02, 10, 0.005).find("steeper than 45 degrees"), std::string::npos);
+  EXPECT_NE(said(0.02, 1, 1e-4).find("at most 64 rows and 1048576 triangles"), std::string::npos);
+  EXPECT_EQ(said(0.02, 0, 1e-4), "");
+}
+
 TEST(RoughFaces, BelowChippedRimsAreSoundToo) {
   for (const char* shape : {"plate?n=20&jitter=0.3", "sphere?n=14"}) {
     const Result run = rough_run(shape, 0.2);
