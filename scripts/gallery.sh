@@ -7,9 +7,9 @@ cd "$(dirname "$0")/../docs"
 made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
 "$craze" figures -o "$made" --meshes "$meshes" --size 760 --quiet
-# Palettes keep the repository small: without dithering where grit hides the steps.
+# Palettes keep the repository small: fewer colours where grit hides the steps.
 find "$made" -name '*.png' -size -400k -exec pngquant --force --ext .png --speed 1 64 {} +
-find "$made" -name '*.png' -size +200k -exec pngquant --force --nofs --ext .png --speed 1 24 {} +
+find "$made" -name '*.png' -size +200k -exec pngquant --force --floyd=0.5 --ext .png --speed 1 32 {} +
 rm -rf images/figures
 mkdir -p images/figures
 (cd "$made" && find . -name '*.png' -o -name '*.svg') | while IFS= read -r picture; do

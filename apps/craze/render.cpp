@@ -40,7 +40,9 @@ int render_mesh(Options& options) {
   }
   MeshFile file = load_surface(options.input, context);
   if (!options.choice.plain) {
-    picture.looks = material_looks(file.looks, options.input, file.warnings, context);
+    picture.looks =
+        material_looks(file.looks, options.input, file.warnings, context, ShownUvs::all);
+    if (!picture.looks.empty()) picture.further_uvs = further_uvs(file, file.warnings);
   }
   render::write_png(options.output, mesh_picture(file.mesh, picture, context), context);
   print_warnings(options.run, file.warnings);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "craze/surface_mesh.h"
 #include "craze/texture_wrap.h"
@@ -19,6 +20,16 @@ struct LookPicture {
   TextureWraps wraps{};
 
   explicit operator bool() const { return bytes || !file.empty(); }
+};
+
+struct MaterialLook;
+
+/// A picture that a material reads at UVs of another set than the first.
+struct FurtherPicture {
+  LookPicture MaterialLook::*slot;  ///< what it is for
+  LookPicture picture;
+  std::size_t uv_set = 1;  ///< TEXCOORD_n
+  float factor = 1;        ///< of a transmission picture
 };
 
 /// What a viewer shades with: each number is a factor of its picture, where there is one.
@@ -41,7 +52,7 @@ struct MaterialLook {
   LookPicture occlusion_picture;           ///< red
   Color emission{0, 0, 0, 1};              ///< linear, may be above 1
   LookPicture emission_picture;            ///< sRGB
-  bool has_further_uvs = false;            ///< some of its pictures lie in another UV set: left out
+  std::vector<FurtherPicture> further;     ///< those in other UV sets, in none of the above
 };
 
 /// All pictures of a look, some of which may not be there: for_each_picture(look, f) calls

@@ -48,12 +48,35 @@ TEST(MaterialLooks, WhatCannotBeShownIsSaidOnce) {
   EXPECT_EQ(looks[2].color[1], 0.25f);
 }
 
-TEST(MaterialLooks, TexturesInFurtherUvsAreSaidToBeLeftOut) {
+TEST(MaterialLooks, TexturesInFurtherUvsAreShownOrSaidToBeLeftOut) {
+  const TemporaryFolder folder;
+  write_color(folder / "red.png", 255, 0, 0);
+  const std::string input = (folder / "a.gltf").string();
   MaterialLook look;
-  look.has_further_uvs = true;
+  LookPicture red;
+  red.file = "red.png";
+  look.further.push_back({&MaterialLook::base_picture, red, 2});
   std::vector<std::string> said;
-  EXPECT_TRUE(shown({look, look}, "a.glb", said).empty());
+  EXPECT_TRUE(shown({look, look}, input, said).empty());
   EXPECT_EQ(said.size(), 1u);
+  const auto all = material_looks({look}, input, said, {}, ShownUvs::all);
+  EXPECT_EQ(said.size(), 1u);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].picture.uv_set, 2u);
+  EXPECT_LT((all[0].at({0, 0}).color - render::Rgb(1, 0, 0)).abs().maxCoeff(), 1e-6);
+}
+
+TEST(MaterialLooks, TransmissionOfAFurtherUvSetHasItsFactor) {
+  const TemporaryFolder folder;
+  write_color(folder / "half.png", 128, 0, 0);
+  MaterialLook look;
+  LookPicture half;
+  half.file = "half.png";
+  look.further.push_back({&MaterialLook::transmission_picture, half, 1, 0.5f});
+  std::vector<std::string> said;
+  const auto all = material_looks({look}, (folder / "a.gltf").string(), said, {}, ShownUvs::all);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_NEAR(all[0].at({0, 0}).transmission, 0.5 * 128 / 255, 1e-6);
 }
 
 TEST(MaterialLooks, GreyWithoutTexturesSaysNothing) {

@@ -36,13 +36,46 @@ TEST(SelfIntersection, TrianglesThatShareACornerCrossWhereTheOppositeEdgeGoesThr
   EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {0, 6, 7}}).empty());
 }
 
+TEST(SelfIntersection, TrianglesThatShareACornerCrossWhereTheirOppositeEdgesMeet) {
+  // Walls that stand on one point below, whose rims cross in the plane above.
+  const std::vector<Vec3> p{{0.3, 0.2, -1}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0},
+                            {0, 1, 0},      {1, 1, 0},  {0, 0, 0}, {-0.3, -0.2, 1}};
+  for (const Triangle& s : {Triangle{0, 1, 2}, Triangle{1, 2, 0}, Triangle{2, 1, 0}}) {
+    for (const Triangle& t : {Triangle{0, 3, 4}, Triangle{4, 0, 3}, Triangle{4, 3, 0}}) {
+      EXPECT_EQ(self_intersections(p, {s, t}).size(), 1u);
+    }
+  }
+  EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {0, 4, 5}}).empty()) << "they are apart";
+  EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {0, 4, 6}}).empty()) << "they touch";
+  EXPECT_TRUE(self_intersections(p, {{0, 1, 2}, {7, 3, 4}}).empty()) << "they share no corner";
+}
+
+TEST(SelfIntersection, PartsOfASheetThatLieOverEachOtherCross) {
+  // On a plane that no axis lies in, the third corner of two triangles that share a corner.
+  const Vec3 a = Vec3(2, 1, -1).normalized(), b = Vec3(1, -1, 1).normalized(), o(0.3, 0.1, 0.7);
+  const auto at = [&](double x, double y) { return Vec3(o + x * a + y * b); };
+  const std::vector<Vec3> p{at(0, 0), at(1, 0),  at(0, 1),   at(0.4, 0.4), at(2, 0.4), at(2, 2),
+                            at(1, 1), at(-1, 1), at(0.1, 1), at(0.5, 0.5), at(3, 0.5)};
+  const auto pairs = [&](const std::vector<Triangle>& triangles, std::int32_t sheet_end) {
+    return SelfIntersections(triangles, SIZE_MAX, sheet_end).at(p, {}).size();
+  };
+  const Triangle t{0, 1, 2};
+  EXPECT_EQ(pairs({t, {3, 4, 5}}, 2), 1u);
+  EXPECT_EQ(pairs({t, {3, 4, 5}}, 1), 0u) << "one is no part of the sheet";
+  EXPECT_EQ(pairs({t, {3, 5, 4}}, 2), 0u) << "turned the other way";
+  EXPECT_EQ(pairs({t, {0, 3, 8}}, 2), 1u) << "they share a corner";
+  EXPECT_EQ(pairs({t, {2, 7, 0}}, 2), 0u) << "they share an edge";
+  EXPECT_EQ(pairs({t, {1, 6, 2}}, 2), 0u) << "they share an edge";
+  EXPECT_EQ(pairs({t, {9, 10, 5}}, 2), 0u) << "they touch";
+}
+
 TEST(SelfIntersection, ASoundSurfaceHasNone) {
   const TriangleMesh torus = test::torus(40);
   EXPECT_TRUE(self_intersections(torus.positions(), torus.triangles()).empty());
   TriangleMesh cut = test::plate(20, 0.3);
   test::cut_at_random(cut, 500, 2, 4);
-  EXPECT_TRUE(self_intersections(cut.positions(), cut.triangles()).empty())
-      << "the two sides of a shut crack";
+  SelfIntersections crossings(cut.triangles(), SIZE_MAX, cut.face_count());
+  EXPECT_TRUE(crossings.at(cut.positions(), {}).empty()) << "the two sides of a shut crack";
 }
 
 TEST(SelfIntersection, ATreeFindsWhatComparingAllPairsFinds) {

@@ -22,20 +22,23 @@ double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return (b - a).cross(c - a).dot(d - a);
 }
 
-/// Whether pq goes from one side of abc to the other through its inside.
-bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c,
-             double size) {
+/// Whether pq goes from one side of abc to the other through its inside, or, where `through_ab`,
+/// through ab.
+bool pierces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c, double size,
+             bool through_ab) {
   const double tiny = rounding * size * size * size;
   const double above = volume(a, b, c, p), below = volume(a, b, c, q);
   if (!((above > tiny && below < -tiny) || (above < -tiny && below > tiny))) return false;
   const double u = volume(p, q, a, b), v = volume(p, q, b, c), w = volume(p, q, c, a);
-  return (u > tiny && v > tiny && w > tiny) || (u < -tiny && v < -tiny && w < -tiny);
+  const double inside = through_ab ? -tiny : tiny;
+  return (u > inside && v > tiny && w > tiny) || (u < -inside && v < -tiny && w < -tiny);
 }
 
 class Triangles {
  public:
-  Triangles(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles)
-      : positions_(positions), triangles_(triangles) {}
+  Triangles(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
+            std::int32_t sheet_end)
+      : positions_(positions), triangles_(triangles), sheet_end_(sheet_end) {}
 
   Box box(std::int32_t f) const {
     Box box;
@@ -58,17 +61,56 @@ class Triangles {
     Box both = box(f);
     both.extend(box(g));
     const double size = both.diagonal().norm();
-    return edges_pierce(s, shared[0], t, size) || edges_pierce(t, shared[1], s, size);
+    return edges_pierce(s, shared[0], t, shared[1], size) ||
+           edges_pierce(t, shared[1], s, shared[0], size) ||
+           (f < sheet_end_ && g < sheet_end_ && overlap(s, t, size));
   }
 
  private:
+  Vec3 area_normal(const Triangle& t) const {
+    const Vec3& a = positions_[t[0]];
+    return (positions_[t[1]] - a).cross(positions_[t[2]] - a);
+  }
+
+  /// In one plane, turned the same way.
+  bool overlap(const Triangle& s, const Triangle& t, double size) const {
+    const Vec3 of_s = area_normal(s), of_t = area_normal(t);
+    if (!(of_s.dot(of_t) > 0)) return false;
+    const bool s_is_larger = of_s.squaredNorm() > of_t.squaredNorm();
+    const Vec3 normal = (s_is_larger ? of_s : of_t).stableNormalized();
+    const Triangle &large = s_is_larger ? s : t, &small = s_is_larger ? t : s;
+    const Vec3& origin = positions_[large[0]];
+    for (const std::int32_t v : small) {
+      if (std::abs(normal.dot(positions_[v] - origin)) > rounding * size) return false;
+    }
+    return !edge_parts(s, t, normal, size) && !edge_parts(t, s, normal, size);
+  }
+
+  /// Whether t lies beyond an edge of s.
+  bool edge_parts(const Triangle& s, const Triangle& t, const Vec3& normal, double size) const {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3& from = positions_[s[i]];
+      const Vec3 outwards = (positions_[s[(i + 1) % 3]] - from).cross(normal).stableNormalized();
+      if (std::all_of(t.begin(), t.end(), [&](std::int32_t v) {
+            return outwards.dot(positions_[v] - from) >= -rounding * size;
+          })) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Edges opposite a shared corner that meet are one way to it from inside both triangles.
   bool edges_pierce(const Triangle& edges, const bool* shared, const Triangle& t,
-                    double size) const {
+                    const bool* t_shared, double size) const {
+    int last = 2;
+    while (last > 0 && !t_shared[last]) --last;
+    const bool share = t_shared[last];
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       if (shared[i] || shared[j]) continue;
-      if (pierces(positions_[edges[i]], positions_[edges[j]], positions_[t[0]], positions_[t[1]],
-                  positions_[t[2]], size)) {
+      if (pierces(positions_[edges[i]], positions_[edges[j]], positions_[t[(last + 1) % 3]],
+                  positions_[t[(last + 2) % 3]], positions_[t[last]], size, share)) {
         return true;
       }
     }
@@ -77,6 +119,7 @@ class Triangles {
 
   const std::vector<Vec3>& positions_;
   const std::vector<Triangle>& triangles_;
+  std::int32_t sheet_end_;
 };
 
 }  // namespace
@@ -245,8 +288,9 @@ class SelfIntersections::BoxTree {
   std::vector<Node> nodes_;
 };
 
-SelfIntersections::SelfIntersections(const std::vector<Triangle>& triangles, std::size_t limit)
-    : triangles_(triangles), limit_(limit) {}
+SelfIntersections::SelfIntersections(const std::vector<Triangle>& triangles, std::size_t limit,
+                                     std::int32_t sheet_end)
+    : triangles_(triangles), limit_(limit), sheet_end_(sheet_end) {}
 
 SelfIntersections::~SelfIntersections() = default;
 
@@ -263,12 +307,13 @@ const SelfIntersections::Pairs& SelfIntersections::at(const std::vector<Vec3>& p
       for (const std::int32_t v : triangles_[f]) moved[f] |= vertex_moved[v];
     }
     positions_ = positions;
-    tree_->refit({positions_, triangles_}, std::move(moved));
+    tree_->refit({positions_, triangles_, sheet_end_}, std::move(moved));
     find(false, context);
   }
   if (!knows_last || pairs_.size() >= limit_) {
     positions_ = positions;
-    tree_ = std::make_unique<BoxTree>(Triangles{positions_, triangles_}, triangles_.size());
+    tree_ =
+        std::make_unique<BoxTree>(Triangles{positions_, triangles_, sheet_end_}, triangles_.size());
     find(true, context);
   }
   return pairs_;
@@ -276,7 +321,7 @@ const SelfIntersections::Pairs& SelfIntersections::at(const std::vector<Vec3>& p
 
 void SelfIntersections::find(bool all, const Context& context) {
   constexpr std::size_t tasks_between_polls = 32;
-  const Triangles geometry(positions_, triangles_);
+  const Triangles geometry(positions_, triangles_, sheet_end_);
   std::unique_ptr<BoxTree> tree = std::move(tree_);  // gone where it is cancelled
   const std::vector<BoxTree::Task> tasks = tree->tasks();
   Pairs kept;

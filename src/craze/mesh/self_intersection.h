@@ -13,7 +13,8 @@ namespace craze {
 
 /// The pairs of triangles (lower index first, ascending) that cross: an edge of one goes through
 /// the inside of the other, by more than rounding. Triangles that share a corner, by index or by
-/// place, cross where the opposite edge of one goes through the other; those that share two do not.
+/// place, cross where the opposite edge of one goes through the other or through its opposite edge;
+/// those that share two do not.
 /// Touching, and lying on each other in one plane, is no crossing. At most `limit` pairs. Throws
 /// Cancelled.
 std::vector<std::array<std::int32_t, 2>> self_intersections(const std::vector<Vec3>& positions,
@@ -27,8 +28,10 @@ class SelfIntersections {
  public:
   using Pairs = std::vector<std::array<std::int32_t, 2>>;
 
-  /// The triangles are not copied.
-  SelfIntersections(const std::vector<Triangle>& triangles, std::size_t limit);
+  /// The triangles are not copied. Those before sheet_end that lie over each other in one plane,
+  /// turned the same way, cross too, by more than rounding: as parts of one sheet.
+  SelfIntersections(const std::vector<Triangle>& triangles, std::size_t limit,
+                    std::int32_t sheet_end = 0);
   ~SelfIntersections();
   SelfIntersections(const SelfIntersections&) = delete;
   SelfIntersections& operator=(const SelfIntersections&) = delete;
@@ -44,6 +47,7 @@ class SelfIntersections {
 
   const std::vector<Triangle>& triangles_;
   std::size_t limit_;
+  std::int32_t sheet_end_;
   std::vector<Vec3> positions_;  // of the last call
   std::unique_ptr<BoxTree> tree_;
   Pairs pairs_;  // as far as they have been found

@@ -130,12 +130,23 @@ std::vector<std::int32_t> find_pieces(const SurfaceMesh& mesh) {
 }
 
 /// The mesh's own colours; faces of materials beyond them, such as walls, have none.
-void add_looks(const SurfaceMesh& mesh, const std::vector<Look>& looks, TracedModel& model) {
-  model.looks = looks;
-  const auto count = static_cast<std::int32_t>(looks.size());
+void add_looks(const SurfaceMesh& mesh, const PictureOptions& options, TracedModel& model) {
+  model.looks = options.looks;
+  const auto count = static_cast<std::int32_t>(model.looks.size());
   for (const std::int32_t m : mesh.face_materials) model.look.push_back(m < count ? m : -1);
-  if (mesh.corner_uvs.size() != 3 * mesh.triangles.size()) return;
-  for (const Vec2& uv : mesh.corner_uvs) model.uvs.push_back(uv.cast<float>());
+  const auto traced = [&](const std::vector<Vec2>& uvs) {
+    std::vector<Eigen::Vector2f> rounded;
+    if (uvs.size() != 3 * mesh.triangles.size()) return rounded;
+    for (const Vec2& uv : uvs) rounded.push_back(uv.cast<float>());
+    return rounded;
+  };
+  model.uvs = traced(mesh.corner_uvs);
+  for (const std::vector<Vec2>& uvs : options.further_uvs) model.further_uvs.push_back(traced(uvs));
+  for (Look& look : model.looks) {
+    for (PlacedTexture* texture : {&look.picture, &look.transmission_picture, &look.normals}) {
+      if (*texture && model.uvs_of(*texture).empty()) texture->texture = nullptr;
+    }
+  }
 }
 
 /// A subject in render units, and its camera.
@@ -207,7 +218,7 @@ Image render_picture(const SurfaceMesh& mesh, const CrackLines* lines,
   model.marks = scaled(options.marks, centre, scale);
   model.is_wall = find_walls(mesh);
   model.pieces = find_pieces(mesh);
-  if (!options.looks.empty()) add_looks(mesh, options.looks, model);
+  if (!options.looks.empty()) add_looks(mesh, options, model);
   const LinePainter painter(lines ? *lines : CrackLines{}, centre, scale,
                             scale * line_width(mesh, options) / 2);
   model.lines = lines ? &painter : nullptr;

@@ -33,6 +33,9 @@ struct PictureOptions {
   /// The mesh's own colours, one per material of it, or one for all; empty: the material's. Walls
   /// and cracks keep the material's, and clear glass has none of its own.
   std::vector<Look> looks;
+  /// UVs of further sets, 1, 2 …, 3 #F of the mesh each, or none of a set. Textures of sets that
+  /// there are not do not count.
+  std::vector<std::vector<Vec2>> further_uvs;
   std::vector<Mark> marks;      ///< on the mesh, model units; clear glass has none
   std::optional<Rgb> backdrop;  ///< by default the material's
   bool ground = true;           ///< a floor that catches the shadow

@@ -201,12 +201,23 @@ TEST(RoughFaces, OfGapsCloseThemAsFlatOnesDo) {
         post.face_roughness = 0;
         const SurfaceMesh flat = Opening(run, post, {}).mesh();
         EXPECT_EQ(open_edges(mesh), open_edges(flat));
-        // Rims that lie over each other in one plane cross in rows, be they flat.
-        const auto flat_rows = flattened(opening.surface().opened);
-        const auto as_flat = self_intersections(flat_rows, mesh.triangles);
-        const auto pairs = self_intersections(mesh.positions, mesh.triangles);
-        EXPECT_TRUE(std::includes(as_flat.begin(), as_flat.end(), pairs.begin(), pairs.end()));
-        EXPECT_LE(pairs.size(), 18U);
+        EXPECT_TRUE(self_intersections(mesh.positions, mesh.triangles).empty());
+      }
+    }
+  }
+}
+
+TEST(RoughFaces, OfGapsBesideTipsOnHardEdgesDoNotCross) {
+  for (const OutputMesh output : {OutputMesh::asset, OutputMesh::simulation}) {
+    for (const char* shape : {"cube", "cup?n=24"}) {
+      for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        SCOPED_TRACE(std::string(shape) + ", seed " + std::to_string(seed));
+        const Result run = rough_run(shape, 0.2, 0.06, seed, output);
+        const Opening opening(run, faces_of(run, 0.05, 0.03, 0), {});
+        const SurfaceMesh& mesh = opening.mesh();
+        EXPECT_TRUE(self_intersections(mesh.positions, mesh.triangles).empty());
+        const std::vector<Vec3> flat = flattened(opening.surface().opened);
+        EXPECT_TRUE(self_intersections(flat, mesh.triangles).empty());
       }
     }
   }
@@ -288,6 +299,29 @@ TEST(RoughFaces, SayWhatTheyLack) {
   EXPECT_EQ(warned(faces_of(smooth, 0.05, 0.03, 0)), 1);  // no roughness
   EXPECT_EQ(warned(faces_of(smooth, 0.05, 0, 0)), 1);     // no walls
   EXPECT_EQ(warned(faces_of(smooth, 0.05, 0.03, 0, 0)), 0);
+}
+
+TEST(RoughFaces, SayWhatIsNotSeenAndWhichRowsAreFewer) {
+  const Result run = rough_run("plate?n=16", 0.25);
+  const auto said = [&](double gap, double face_roughness, double step = 0, double wall = 0.1) {
+    PostParameters post = faces_of(run, gap, wall, 0, face_roughness);
+    post.roughness_step = step;
+    std::string all;
+    const Opening opening(run, post, {});
+    for (const std::string& warning : opening.warnings()) {
+      if (warning.find("post.face_roughness") != std::string::npos ||
+          warning.find("post.roughness_step") != std::string::npos) {
+        all += warning + "\n";
+      }
+    }
+    return all;
+  };
+  EXPECT_EQ(said(0.02, 1), "");
+  EXPECT_NE(said(0, 1).find("cracks are shut"), std::string::npos);
+  EXPECT_EQ(said(0, 0), "");
+  EXPECT_NE(said(0.02, 10, 0.005).find("steeper than 45 degrees"), std::string::npos);
+  EXPECT_NE(said(0.02, 1, 1e-4).find("at most 64 rows and 1048576 triangles"), std::string::npos);
+  EXPECT_EQ(said(0.02, 0, 1e-4), "");
 }
 
 TEST(RoughFaces, BelowChippedRimsAreSoundToo) {

@@ -1,5 +1,4 @@
 #include "craze/products/growth/crack_schedule.h"
-#include "craze/model/crack_network.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,9 @@
 #include <limits>
 #include <map>
 
+#include "craze/engine/cracked_surface.h"
+#include "craze/model/crack_network.h"
+#include "craze/products/growth/growth_times.h"
 #include "products/opening/real_runs.h"
 
 namespace craze {
@@ -41,6 +43,36 @@ TEST(CrackSchedule, CracksRunAlongAllAtOneSpeedAndNeverPopUp) {
   }
   EXPECT_NEAR(slowest, fastest, 1e-6 * fastest);
   EXPECT_GT(slowest * CrackSchedule::longest_run, 0.3) << "as long as a part of the plate";
+}
+
+/// The places from which cracks run: none beside them opens earlier.
+int starts(double roughness, OutputMesh output) {
+  Recipe recipe = read_preset("mud");
+  recipe.mesh.output = output;
+  recipe.simulation.layer.relative_spacing = 0.15;
+  recipe.post.relative_roughness = roughness;
+  Input input;
+  input.surface = std::make_shared<const SurfaceMesh>(make_shape("plate?n=40&jitter=0.3"));
+  const Result result = crack(std::move(input), recipe, {}, {});
+  const CrackNetwork& network = result.state().network;
+  const GrowthTimes times = growth_times(result);
+  const auto arrival = [&](std::int32_t node) {
+    return times.schedule.sites[times.sites.site_of[network.nodes[node].vertex]];
+  };
+  std::vector<bool> is_start(network.nodes.size(), true);
+  for (const CrackEdge& e : network.edges) {
+    if (arrival(e.a) < arrival(e.b)) is_start[e.b] = false;
+    if (arrival(e.b) < arrival(e.a)) is_start[e.a] = false;
+  }
+  return static_cast<int>(std::count(is_start.begin(), is_start.end(), true));
+}
+
+TEST(CrackSchedule, RoughCracksRunFromWhereSmoothOnesRun) {
+  for (const OutputMesh output : {OutputMesh::asset, OutputMesh::simulation}) {
+    const int smooth = starts(0, output);
+    EXPECT_GT(smooth, 5);
+    EXPECT_LT(starts(0.06, output), 2 * smooth);
+  }
 }
 
 TEST(CrackSchedule, TheLongestCrackTakesItsPartOfTheClip) {

@@ -64,6 +64,24 @@ void expect_own_material(const OpenedMesh& result) {
   }
 }
 
+TEST(FlatFacesOfRealRuns, DoNotSlideOverEachOther) {
+  for (const char* shape : {"cube", "cup?n=24", "plate?n=24&jitter=0.3"}) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE(std::string(shape) + ", seed " + std::to_string(seed));
+      const Simulation simulation = test::cracked(shape, "mud", 0.2, seed);
+      const TriangleMesh& mesh = simulation.mesh();
+      for (const double gap : {0.02, 0.05, 0.3}) {
+        for (const double wall : {0.0, 0.01 * size_of(mesh)}) {
+          const OpenedMesh result = opened(simulation, {.gap = gap, .wall = wall});
+          SelfIntersections crossings(result.mesh.triangles, SIZE_MAX, mesh.face_count());
+          EXPECT_TRUE(crossings.at(result.mesh.positions, {}).empty()) << gap << ", " << wall;
+          EXPECT_EQ(result.crossings + result.folded_faces, 0);
+        }
+      }
+    }
+  }
+}
+
 class WallsOfRealRuns : public testing::TestWithParam<const char*> {};
 
 TEST_P(WallsOfRealRuns, CloseTheSurfaceWithThicknessAndDoNotCross) {

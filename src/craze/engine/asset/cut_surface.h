@@ -2,6 +2,7 @@
 #pragma once
 
 #include "craze/engine/asset/cut_asset.h"
+#include "craze/mesh/corners_on_surface.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
@@ -12,20 +13,5 @@ namespace craze {
 /// normals to unit length, so seams and hard edges stay what they are; both sides of a crack, and
 /// both faces at an edge whose ends agree, find the same value to the last bit.
 SurfaceMesh cut_surface(const SurfaceMesh& asset, const CutAsset& cut);
-
-/// The weighted sum of three values, in their order, those without weight left out. A weight of 1
-/// alone gives an exact copy.
-template <class Value>
-auto interpolate_corners(const Vec3& weights, Value&& value) {
-  int i = 0;
-  while (i < 2 && weights[i] == 0) ++i;
-  auto sum = value(i);
-  if (weights[i] == 1) return sum;
-  sum *= weights[i];
-  for (++i; i < 3; ++i) {
-    if (weights[i] != 0) sum += weights[i] * value(i);
-  }
-  return sum;
-}
 
 }  // namespace craze

@@ -9,8 +9,8 @@
 
 namespace craze {
 
-/// One per material. Textures that are in the file come as their bytes, others by name; those that
-/// follow another UV set than the first, or are of a kind other than glTF's own two, are left out.
+/// One per material. Textures that are in the file come as their bytes, others by name; those of
+/// a kind other than glTF's own two are left out.
 /// KHR_texture_transform is followed. Warns of textures that cannot be found. Throws Error(input)
 /// where materials break the format.
 std::vector<MaterialLook> gltf_looks(const Json& root, GltfAccessors& accessors,

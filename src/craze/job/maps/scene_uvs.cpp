@@ -44,19 +44,6 @@ std::set<std::int32_t> cracked_materials(const Result& result) {
   return cracked;
 }
 
-/// The document's corners at those of the surface.
-std::vector<Vec2> on_surface(const std::vector<Vec2>& corners, const SurfaceOrigin& origin) {
-  std::vector<Vec2> result;
-  result.reserve(origin.weights.size());
-  for (std::size_t c = 0; c < origin.weights.size(); ++c) {
-    const auto first = 3 * static_cast<std::size_t>(origin.face[c / 3]);
-    result.push_back(interpolate_corners(origin.weights[c], [&](int i) -> Vec2 {
-      return corners[first + static_cast<std::size_t>(i)];
-    }));
-  }
-  return result;
-}
-
 double twice_area(const std::vector<Vec2>& uvs, std::size_t f) {
   const Vec2 a = uvs[3 * f + 1] - uvs[3 * f], b = uvs[3 * f + 2] - uvs[3 * f];
   return std::abs(a.x() * b.y() - a.y() * b.x());
@@ -70,7 +57,7 @@ class Chooser {
       : surface_(surface), context_(context) {
     for (std::size_t n = 0; n < uv_set_count(document); ++n) {
       const UvSet set = uv_set(document, n);
-      sets_.push_back(on_surface(set.corners, origin));
+      sets_.push_back(uvs_on_surface(set.corners, origin));
       std::vector<char>& has = has_.emplace_back();
       for (const std::int32_t t : origin.face) has.push_back(set.has[t]);
     }
@@ -255,7 +242,7 @@ SceneUvs scene_uvs(const Result& result, const std::shared_ptr<const GltfDocumen
     further.number = uv_set_count(*document, uvs.made);
     for (const std::int32_t m : uvs.made) uvs.set[m] = further.number;
     further.corners = atlases(*document, further.materials, origin, context);
-    made = on_surface(further.corners, origin);
+    made = uvs_on_surface(further.corners, origin);
     uvs.document = with_further_uvs(*document, further);
     uvs.warning = fmt::format("{} (maps): others were made, TEXCOORD_{}",
                               describe(faults, uvs.surface.material_names), further.number);

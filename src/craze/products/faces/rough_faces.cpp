@@ -94,14 +94,16 @@ class FaceRoughener {
     const double usual = options_.usual;
     const double steepest = usual * elementary::pow(std::min(options_.amplitude / usual, 1.0),
                                                     1 / (1 - options_.exponent));
-    const double step =
-        std::max(options_.step > 0 ? options_.step : usual / steps_of_usual, steepest);
-    const double walls = end_ - begin_;
-    const double wanted = std::max(std::ceil(depth_ / step), 2.0);
+    const double step = options_.step > 0 ? options_.step : usual / steps_of_usual;
+    const auto rows_at = [&](double apart) { return std::max(std::ceil(depth_ / apart), 2.0); };
+    wanted_rows_ = rows_at(step);
+    const double gentle = rows_at(std::max(step, steepest));
     const double most =
-        std::max(std::min<double>(most_wall_rows, most_wall_triangles / 2 / walls), 2.0);
-    is_coarse_ = options_.step > 0 && wanted > most;
-    return static_cast<int>(std::min(wanted, most));
+        std::max(std::min<double>(most_wall_rows, most_wall_triangles / 2 / (end_ - begin_)), 2.0);
+    is_steep_ = gentle < std::min(wanted_rows_, most);
+    is_coarse_ = most < gentle;
+    row_count_ = static_cast<int>(std::min(gentle, most));
+    return row_count_;
   }
 
   Vec3 shut_top(std::int32_t v) const {
@@ -272,11 +274,13 @@ class FaceRoughener {
           "other faces, or bends of their own, are too near",
           held, share_.size()));
     }
-    if (is_coarse_) {
-      warnings.push_back(
-          fmt::format("the rows of rough faces lie farther apart than asked for "
-                      "(post.roughness_step): walls have at most {} rows and {:.0f} triangles",
-                      most_wall_rows, most_wall_triangles));
+    if (is_coarse_ || is_steep_) {
+      warnings.push_back(fmt::format(
+          "rough faces have {} rows, not the {:.0f} of their step (post.roughness_step): {}",
+          row_count_, wanted_rows_,
+          is_coarse_ ? fmt::format("walls have at most {} rows and {:.0f} triangles",
+                                   most_wall_rows, most_wall_triangles)
+                     : "faces so rough would be steeper than 45 degrees (post.face_roughness)"));
     }
     return warnings;
   }
@@ -290,7 +294,9 @@ class FaceRoughener {
   std::vector<std::int32_t> column_;  // of each vertex of the opened mesh: its site, or beyond
   std::vector<Vec3> down_;            // of each column: from the shut top to the shut bottom
   double depth_ = 0;
-  bool is_coarse_ = false;
+  double wanted_rows_ = 0;  // by their step
+  int row_count_ = 0;
+  bool is_coarse_ = false, is_steep_ = false;
   WallRows rows_;
   std::vector<Triangle> triangles_;
   std::vector<double> share_;  // of each site: of the way aside

@@ -21,7 +21,7 @@ struct FaceOptions {
 };
 
 /// The most triangles that walls become.
-inline constexpr double most_wall_triangles = 4194304;
+inline constexpr double most_wall_triangles = 1048576;
 /// The most rows of a wall.
 inline constexpr int most_wall_rows = 64;
 

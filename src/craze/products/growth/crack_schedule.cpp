@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace craze {
@@ -21,6 +23,45 @@ struct Edge {
   double start = 0, end = 0;  ///< when the crack is at a and at b
 };
 
+/// Appends the edges of one event, each after that which it goes on from, else as they were.
+void append_in_growth(const CrackNetwork& network, const std::vector<std::size_t>& of_event,
+                      std::vector<std::size_t>& order) {
+  std::unordered_map<std::int32_t, std::size_t> ending_at;  // node: which of them
+  for (std::size_t i = 0; i < of_event.size(); ++i) {
+    ending_at.emplace(network.edges[of_event[i]].b, i);
+  }
+  std::vector<bool> is_done(of_event.size(), false);
+  std::vector<std::size_t> backwards;
+  for (std::size_t i = 0; i < of_event.size(); ++i) {
+    for (std::size_t k = i; !is_done[k];) {
+      is_done[k] = true;
+      backwards.push_back(of_event[k]);
+      const auto before = ending_at.find(network.edges[of_event[k]].a);
+      if (before != ending_at.end()) k = before->second;
+    }
+    order.insert(order.end(), backwards.rbegin(), backwards.rend());
+    backwards.clear();
+  }
+}
+
+/// The edges of a network, of which roughness makes lines from junction to junction, in the order
+/// in which they opened.
+std::vector<std::size_t> in_growth(const CrackNetwork& network) {
+  std::vector<std::size_t> by_event(network.edges.size()), order;
+  std::iota(by_event.begin(), by_event.end(), std::size_t{0});
+  const auto event = [&](std::size_t e) { return network.edges[e].event; };
+  std::stable_sort(by_event.begin(), by_event.end(),
+                   [&](std::size_t e, std::size_t f) { return event(e) < event(f); });
+  std::vector<std::size_t> of_event;
+  for (std::size_t i = 0; i < by_event.size(); ++i) {
+    of_event.push_back(by_event[i]);
+    if (i + 1 < by_event.size() && event(by_event[i + 1]) == event(by_event[i])) continue;
+    append_in_growth(network, of_event, order);
+    of_event.clear();
+  }
+  return order;
+}
+
 std::vector<Edge> edges_between_sites(const CrackSites& sites, const CrackNetwork& network) {
   double first = never, last = -never;
   for (const CrackEdge& edge : network.edges) {
@@ -28,7 +69,8 @@ std::vector<Edge> edges_between_sites(const CrackSites& sites, const CrackNetwor
     last = std::max(last, edge.time);
   }
   std::vector<Edge> edges;
-  for (const CrackEdge& edge : network.edges) {
+  for (const std::size_t e : in_growth(network)) {
+    const CrackEdge& edge = network.edges[e];
     const CrackNode &a = network.nodes[edge.a], &b = network.nodes[edge.b];
     edges.push_back({sites.site_of[a.vertex], sites.site_of[b.vertex],
                      (b.position - a.position).norm(),

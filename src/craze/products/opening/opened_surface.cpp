@@ -192,6 +192,10 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   if (post.face_roughness > 0 && post.wall == 0 && post.thickness == 0) {
     surface.warnings.emplace_back(
         "there are no faces to be rough (post.face_roughness): give post.wall or post.thickness");
+  } else if (post.face_roughness > 0 && post.gap == 0 && post.thickness == 0) {
+    surface.warnings.emplace_back(
+        "the cracks are shut and nobody sees their rough faces (post.face_roughness): give "
+        "post.gap, post.gap_width or post.thickness");
   }
   if (post.gap == 0 && post.wall == 0 && post.thickness == 0) {
     surface.opened = unopened(cut);

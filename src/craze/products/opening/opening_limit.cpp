@@ -15,9 +15,10 @@ namespace {
 
 using Pairs = SelfIntersections::Pairs;
 
-constexpr int rounds = 30;
-/// What is left of a share after each round in which it was too much.
+constexpr int rounds = 60;
+/// What is left of a share after each of the first rounds in which it was too much; then nothing.
 constexpr double step_back = 0.65;
+constexpr int rounds_of_steps = 25;
 /// Of the mean distance between cracks: over such a length a share grows from nothing to all.
 constexpr double taper_per_spacing = 1.0 / 6;
 /// Where all are made smaller, the length over which a share grows by what was begun with: half of
@@ -44,7 +45,7 @@ class Limiter {
         context_(context),
         triangles_(mesh_and_walls(motion)),
         most_pairs_(4 * triangles_.size()),
-        crossings_(triangles_, most_pairs_) {
+        crossings_(triangles_, most_pairs_, mesh_.face_count()) {
     shares_.move.assign(mesh_.vertex_count(), 1);
     shares_.depth.assign(mesh_.vertex_count(), 1);
     spacing_ = 3 * natural_curl_length(mesh_, motion.sites);
@@ -61,7 +62,7 @@ class Limiter {
       context_.check();
       spread(shares_.move, growth_);
       spread(shares_.depth, 1 / taper_per_spacing);
-      sound = step(round + 5 < rounds ? step_back : 0);
+      sound = step(round < rounds_of_steps ? step_back : 0);
       if (round == 0 && !sound) begin_smaller();
     }
     OpeningLimit limit;
@@ -151,7 +152,8 @@ class Limiter {
     const Pairs& pairs = crossings_.at(positions, context_);
     if (pairs.empty()) return pairs;
     if (!knows_before_) {
-      before_ = self_intersections(mesh_.positions(), mesh_.triangles(), most_pairs_, context_);
+      before_ = SelfIntersections(mesh_.triangles(), most_pairs_, mesh_.face_count())
+                    .at(mesh_.positions(), context_);
       find_pierced();
       knows_before_ = true;
     }

@@ -37,10 +37,10 @@ struct OpeningLimit {
 
 /// Starts with all the way. Where that is too much, with as much of it everywhere as takes nearly
 /// all rims no further than a third of the distance between cracks. Then takes back what makes
-/// triangles turn over or cross, first the depth of walls, then the movement; from there shares
-/// grow with the distance along the surface, so that openings taper. What crosses in the mesh as it
-/// is cannot be mended so and does not count, nor do shells that pass through each other as they
-/// are. Throws Cancelled.
+/// triangles turn over, cross or slide over each other in one plane, first the depth of walls, then
+/// the movement; from there shares grow with the distance along the surface, so that openings
+/// taper. What crosses in the mesh as it is cannot be mended so and does not count, nor do shells
+/// that pass through each other as they are. Throws Cancelled.
 OpeningLimit limit_opening(const OpeningMotion& motion, const Context& context);
 
 }  // namespace craze

@@ -77,9 +77,10 @@ LookSample Look::of(const Rgb& its_color, float its_alpha, float its_transmissio
   return sample;
 }
 
-LookSample Look::at(const Eigen::Vector2f& uv) const {
-  const float through =
-      transmission_picture ? transmission * transmission_picture.at(uv)[0] : transmission;
+LookSample Look::at(const Eigen::Vector2f& uv, const Eigen::Vector2f& transmission_uv) const {
+  const float through = transmission_picture
+                            ? transmission * transmission_picture.at(transmission_uv)[0]
+                            : transmission;
   if (!picture) return of(color, opacity, through);
   const Rgba sample = picture.at(uv);
   return of(color * sample.head<3>(), opacity * sample[3], through);

@@ -46,6 +46,7 @@ struct PlacedTexture {
   /// From (u, v, 1) of the mesh to the texture's (u, v).
   Eigen::Matrix<float, 2, 3> place = Eigen::Matrix<float, 2, 3>::Identity();
   TextureWraps wraps{};
+  std::size_t uv_set = 0;  ///< of the mesh
 
   explicit operator bool() const { return texture != nullptr; }
   /// At UVs of the mesh; there must be a texture.
@@ -77,7 +78,9 @@ struct Look {
   PlacedTexture normals{};               ///< linear, tangent space
   float normal_strength = 1;             ///< of their slopes
 
-  LookSample at(const Eigen::Vector2f& uv) const;
+  LookSample at(const Eigen::Vector2f& uv) const { return at(uv, uv); }
+  /// At the UVs of its picture and of its transmission's.
+  LookSample at(const Eigen::Vector2f& uv, const Eigen::Vector2f& transmission_uv) const;
   /// Without the pictures.
   LookSample at_factor() const { return of(color, opacity, transmission); }
   /// The normal along tangent (of growing u), bitangent (of growing v) and normal, unit; (0, 0, 1)

@@ -14,10 +14,18 @@ const Look* TracedModel::look_of(std::int32_t face) const {
   return index < 0 ? nullptr : &looks[index];
 }
 
+const std::vector<Eigen::Vector2f>& TracedModel::uvs_of(const PlacedTexture& texture) const {
+  static const std::vector<Eigen::Vector2f> none;
+  if (texture.uv_set == 0) return uvs;
+  return texture.uv_set <= further_uvs.size() ? further_uvs[texture.uv_set - 1] : none;
+}
+
 namespace {
 
-Eigen::Vector2f uv_at(const TracedModel& model, const Hit& hit) {
-  const Eigen::Vector2f* uv = &model.uvs[static_cast<std::size_t>(3) * hit.face];
+/// Where there are such UVs.
+Eigen::Vector2f uv_at(const TracedModel& model, const PlacedTexture& texture, const Hit& hit) {
+  if (!texture) return Eigen::Vector2f::Zero();
+  const Eigen::Vector2f* uv = &model.uvs_of(texture)[static_cast<std::size_t>(3) * hit.face];
   return (1 - hit.u - hit.v) * uv[0] + hit.u * uv[1] + hit.v * uv[2];
 }
 
@@ -26,15 +34,15 @@ Eigen::Vector2f uv_at(const TracedModel& model, const Hit& hit) {
 Vec3f mapped_normal(const TracedModel& model, const Hit& hit, const Vec3f& ab, const Vec3f& ac,
                     const Vec3f& normal) {
   const Look* look = model.look_of(hit.face);
-  if (!look || !look->normals || model.uvs.empty()) return normal;
-  const Eigen::Vector2f* uv = &model.uvs[static_cast<std::size_t>(3) * hit.face];
+  if (!look || !look->normals) return normal;
+  const Eigen::Vector2f* uv = &model.uvs_of(look->normals)[static_cast<std::size_t>(3) * hit.face];
   const Eigen::Vector2f b = uv[1] - uv[0], c = uv[2] - uv[0];
   const float area = b.x() * c.y() - b.y() * c.x();
   const Vec3f along_u = (c.y() * ab - b.y() * ac) * (area < 0 ? -1.0f : 1.0f);
   const Vec3f tangent = (along_u - along_u.dot(normal) * normal).stableNormalized();
   if (area == 0 || tangent.isZero()) return normal;
   const Vec3f bitangent = (area < 0 ? -1.0f : 1.0f) * normal.cross(tangent);
-  const Vec3f n = look->tangent_normal(uv_at(model, hit));
+  const Vec3f n = look->tangent_normal(uv_at(model, look->normals, hit));
   return (n.x() * tangent + n.y() * bitangent + n.z() * normal).normalized();
 }
 
@@ -44,8 +52,7 @@ LookSample body_at(const TracedModel& model, const Material& material, const Hit
   if (model.is_wall[hit.face]) return {material.wall};
   const Look* look = model.look_of(hit.face);
   if (!look) return {material.color};
-  if (model.uvs.empty()) return look->at_factor();
-  return look->at(uv_at(model, hit));
+  return look->at(uv_at(model, look->picture, hit), uv_at(model, look->transmission_picture, hit));
 }
 
 float fresnel(float cosine) {

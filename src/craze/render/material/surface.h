@@ -23,12 +23,15 @@ struct TracedModel {
   std::vector<std::int32_t> pieces;   ///< #F, the fragment of each face; or empty
   std::vector<Look> looks;            ///< the model's own colours; empty: the material's
   std::vector<std::int32_t> look;     ///< #F, index into looks, −1: none; empty: all of looks[0]
-  std::vector<Eigen::Vector2f> uvs;   ///< 3 #F; empty: none, and textures do not count
+  std::vector<Eigen::Vector2f> uvs;   ///< 3 #F; empty: none, and their textures do not count
+  std::vector<std::vector<Eigen::Vector2f>> further_uvs;  ///< of sets 1, 2 …, the same
   const LinePainter* lines = nullptr;
   std::vector<Mark> marks;
 
   /// Null: the material's own.
   const Look* look_of(std::int32_t face) const;
+  /// Empty: there is no such set.
+  const std::vector<Eigen::Vector2f>& uvs_of(const PlacedTexture& texture) const;
 };
 
 /// A lit point of the object or the floor.

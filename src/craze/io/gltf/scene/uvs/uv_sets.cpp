@@ -64,7 +64,10 @@ std::size_t uv_set_count(const GltfDocument& document, const std::set<std::int32
   for (const GltfPart& part : document.parts()) {
     if (materials.count(material_of(document, part)) == 0) continue;
     const Json& attributes = primitive_of(document, part)["attributes"];
-    while (attributes.contains("TEXCOORD_" + std::to_string(count))) ++count;
+    // Some files begin with another than the first, or leave one out.
+    for (std::size_t n = count; n < most_uv_sets; ++n) {
+      if (attributes.contains("TEXCOORD_" + std::to_string(n))) count = n + 1;
+    }
   }
   return count;
 }

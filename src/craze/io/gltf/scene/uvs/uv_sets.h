@@ -10,6 +10,9 @@
 
 namespace craze {
 
+/// Sets from this number on are not looked for.
+inline constexpr std::size_t most_uv_sets = 64;
+
 /// One UV set of the surface that was read.
 struct UvSet {
   std::vector<Vec2> corners;  ///< 3 #F of the document, v upwards; zero where there are none
