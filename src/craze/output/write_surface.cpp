@@ -4,6 +4,7 @@
 
 #include "craze/engine/cracked_surface.h"
 #include "craze/io/files/extension.h"
+#include "craze/io/gltf/scene/gltf_document.h"
 #include "craze/io/mesh_formats.h"
 #include "craze/output/lost_data.h"
 #include "craze/products/opening/crack_edges.h"
@@ -44,6 +45,12 @@ void tell_lost(const std::string& path, const SurfaceMesh& surface, const Source
   if (!lost.empty()) options.warn(lost);
 }
 
+/// Whether only the origin of its faces ties the mesh to what else the file had.
+bool keeps_scene_of(const std::string& path, const SourceFile& source) {
+  return lower_extension(path) == ".glb" &&
+         dynamic_cast<const GltfDocument*>(source.scene.get()) != nullptr;
+}
+
 /// Every face is where it was.
 SurfaceOrigin unmoved(const SurfaceMesh& mesh) {
   SurfaceOrigin origin;
@@ -67,7 +74,8 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Opene
   MeshFileOptions file = options_of(path, source, options, looks);
   file.up = up_axis(recipe.picture.up, source);
   file.metres_per_unit = metres_per_unit(mesh, recipe);
-  const SurfaceOrigin origin = opened_origin(result, shown);
+  SurfaceOrigin origin;
+  if (keeps_scene_of(path, source)) origin = opened_origin(result, shown);
   if (!origin.face.empty()) file.origin = &origin;
   file.bent = shown.curled;
   const MeshFormat* format = find_mesh_format(lower_extension(path));
@@ -87,9 +95,8 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Opene
     return;
   }
   // Viewers shade a GLB without normals flat.
-  SurfaceMesh shaded = mesh;
-  shaded.corner_normals = shading_normals(shown, result, options.crease);
-  write_mesh(path, shaded, file, context);
+  file.normals = [&] { return shading_normals(shown, result, options.crease); };
+  write_mesh(path, mesh, file, context);
 }
 
 void write_surface(const std::string& path, const SurfaceMesh& mesh, const SourceFile& source,
@@ -98,8 +105,11 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Sourc
   std::vector<MaterialLook> looks;
   MeshFileOptions file = options_of(path, source, options, looks);
   file.up = up_axis(UpAxis::automatic, source);
-  const SurfaceOrigin origin = unmoved(mesh);
-  file.origin = &origin;
+  SurfaceOrigin origin;
+  if (keeps_scene_of(path, source)) {
+    origin = unmoved(mesh);
+    file.origin = &origin;
+  }
   write_mesh(path, mesh, file, context);
 }
 
