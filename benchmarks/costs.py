@@ -6,12 +6,14 @@ usage: costs.py CRAZE [--write] [--most RATIO] [--only NAME,...]
 Cachegrind counts the instructions of small runs on one thread and the misses of caches whose sizes
 are fixed here; a run's cost is KCachegrind's estimate of cycles, instructions + 10 misses of the
 first level + 100 of the last. Fails where a cost is more than RATIO (1.15) times that of costs.json;
---write puts down what was counted. The counts are those of GCC 12 with AVX2: other compilers and
-machines differ. Exits with 77 where valgrind is missing.
+--write puts down what was counted. Peaks of memory are of whole runs, without Cachegrind. The counts
+are those of GCC 12 with AVX2: other compilers and machines differ. Exits with 77 where valgrind is
+missing.
 """
 
 import argparse
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -40,6 +42,24 @@ CASES = {
               "--set", "layer.relative_spacing=0.3", "--max-cracks", "20"],
 }
 
+# Runs whose peak of memory is measured: KiB of the whole process.
+PEAKS = {
+    "memory PLY": (["shape:cup", "--preset", "glaze"], ".ply"),
+    "memory GLB": (["shape:cup", "--preset", "glaze"], ".glb"),
+    "memory large": (["shape:plate?n=200", "--preset", "mud"], ".ply"),
+}
+
+
+def peak(craze, arguments, extension, folder):
+    command = [craze, "crack", *arguments, "--threads", "1", "--quiet", "--no-warnings",
+               "-o", str(folder / f"cracked{extension}")]
+    run = subprocess.Popen(command, env={"PATH": "/usr/bin:/bin"})
+    _, status, usage = os.wait4(run.pid, 0)
+    run.returncode = os.waitstatus_to_exitcode(status)
+    if run.returncode != 0:
+        sys.exit(f"failed: {' '.join(command)}")
+    return usage.ru_maxrss
+
 
 def cost(craze, arguments, folder):
     command = ["valgrind", "--tool=cachegrind", "--cache-sim=yes", *CACHES,
@@ -62,20 +82,23 @@ def main():
     parser.add_argument("craze")
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--most", type=float, default=1.15)
-    parser.add_argument("--only", default=",".join(CASES))
+    parser.add_argument("--only", default=",".join([*CASES, *PEAKS]))
     options = parser.parse_args()
     if not shutil.which("valgrind"):
         print("no valgrind")
         sys.exit(77)
-    written = {} if options.write else json.loads(WRITTEN.read_text())
+    written = json.loads(WRITTEN.read_text())
     too_dear = []
     with tempfile.TemporaryDirectory() as folder:
         for name in options.only.split(","):
-            now = cost(options.craze, CASES[name], pathlib.Path(folder))
+            if name in PEAKS:
+                now, shown = peak(options.craze, *PEAKS[name], pathlib.Path(folder)), "KiB"
+            else:
+                now, shown = cost(options.craze, CASES[name], pathlib.Path(folder)), "million"
             if options.write:
                 written[name] = now
             ratio = now / written[name]
-            print(f"{name:12} {now / 1e6:8.0f} million, {ratio:.3f} of what was written down",
+            print(f"{name:13} {now / (1 if shown == 'KiB' else 1e6):8.0f} {shown}, {ratio:.3f} of what was written down",
                   flush=True)
             if ratio > options.most:
                 too_dear.append(name)

@@ -42,6 +42,9 @@ struct MeshFileOptions {
   /// How the mesh lies in the surface of `scene`; null: it is another surface, of the same
   /// materials.
   const SurfaceOrigin* origin = nullptr;
+  /// GLB, of a mesh without corner normals: makes those that it is shaded with, 3 #F. Asked for
+  /// once.
+  std::function<std::vector<Vec3>()> normals = {};
   /// GLB: faces have been bent, and the mesh's normals are in place of the scene's.
   bool bent = false;
   /// GLB: edges to be drawn as lines, halfedges 3f+i from corner i to corner i+1 of face f.

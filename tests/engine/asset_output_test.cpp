@@ -102,7 +102,8 @@ TEST(AnAssetsOwnTriangles, KeepTheirPlanesNormalsAreaAndWhatNoCrackTouches) {
     const SurfaceMesh cut = cut_mesh(result, {});
     EXPECT_TRUE(validate(TriangleMesh(cut.positions, cut.triangles)).empty());
     EXPECT_NEAR(area_of(cut) / area_of(mesh), 1, 1e-9);
-    const SurfaceOrigin& origin = *result.state().surface_origin;  // repair changes nothing here
+    const SurfaceOrigin origin =
+        result.state().surface_origin->whole();  // repair changes nothing here
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
       EXPECT_EQ(origin.face[f], static_cast<std::int32_t>(f));
     }

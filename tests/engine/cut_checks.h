@@ -234,7 +234,7 @@ inline void check_tips(const SurfaceMesh& asset, const CutAsset& cut) {
 
 /// Attributes of parts are those of their face's corners, weighted.
 inline void check_attributes(const SurfaceMesh& asset, const CutAsset& cut) {
-  const SurfaceMesh made = cut_surface(asset, cut);
+  const SurfaceMesh made = cut_surface(asset, cut, cut.positions, cut.triangles);
   ASSERT_EQ(made.corner_uvs.size(), 3 * cut.triangles.size());
   ASSERT_EQ(made.corner_normals.size(), 3 * cut.triangles.size());
   ASSERT_EQ(made.vertex_colors.size(), cut.positions.size());

@@ -1,5 +1,9 @@
 // Meshes, lines and pictures without files; what every format owes to text, warnings and a cancel.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <thread>
 
 #include "craze/io/lines/read_lines.h"
 #include "craze/io/lines/write_lines.h"
@@ -16,7 +20,7 @@ const std::string triangle_obj = "v 0 0 0\nv 2 0 0\nv 2 2 0\nf 1 2 3\n";
 
 TEST(InMemory, EveryFormatThatIsWrittenAndReadIsReadWhateverItsName) {
   for (const MeshFormat& format : mesh_formats()) {
-    if (!format.format || !format.read) continue;
+    if (!format.write || !format.read) continue;
     const std::string bytes = format_mesh(rich_mesh(), format.name);
     const std::string name = "a." + std::string(format.name);
     EXPECT_EQ(read_mesh(bytes, name).mesh.triangles.size(), 8u) << name;
@@ -105,6 +109,56 @@ TEST(Cancel, IsHeardByEveryReaderAndWriter) {
     EXPECT_THROW(read_mesh(bytes, std::string("a.") + format, {}, context), Cancelled) << format;
   }
   EXPECT_THROW(read_mesh("OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2", "a.off", {}, context), Cancelled);
+}
+
+TEST(ByteSink, GetsTheBytesOfAFileInPartsAndNoneIsLarge) {
+  const SurfaceMesh mesh = rich_mesh(8000);
+  for (const MeshFormat& format : mesh_formats()) {
+    if (!format.write) continue;
+    const std::string whole = format_mesh(mesh, format.name);
+    std::string joined;
+    std::size_t largest = 0;
+    ByteSink sink([&](std::string_view part) {
+      largest = std::max(largest, part.size());
+      joined += part;
+    });
+    format.write(mesh, {}, sink, {});
+    sink.flush();
+    EXPECT_TRUE(joined == whole) << format.name;
+    EXPECT_GT(whole.size(), std::size_t{1} << 19) << format.name;
+    // GLB gives one array after the other.
+    EXPECT_LT(largest, format.name == "glb" ? whole.size() / 3 : (std::size_t{1} << 18) + 1000)
+        << format.name;
+  }
+}
+
+TEST(WriteMesh, LeavesWhatWasThereWhereTheMeshCannotBeHeldToItsEnd) {
+  const TemporaryFolder folder;
+  const auto file = folder / "a.stl";
+  write_mesh(file, rich_mesh());
+  const std::string before = read_text(file);
+  SurfaceMesh mesh = rich_mesh(20000);
+  mesh.positions.back().x() = 1e60;  // more than STL can hold, far into the file
+  message_of([&] { write_mesh(file, mesh); }, ErrorKind::request);
+  EXPECT_TRUE(read_text(file) == before);
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(WriteMesh, GivesPipesAllOrNothing) {
+  const TemporaryFolder folder;
+  const std::string name = (folder / "pipe.stl").string();
+  ASSERT_EQ(::mkfifo(name.c_str(), 0600), 0);
+  SurfaceMesh mesh = rich_mesh(20000);
+  const double x = mesh.positions.back().x();
+  mesh.positions.back().x() = 1e60;
+  // Nobody reads: a write would wait for ever.
+  message_of([&] { write_mesh(name, mesh); }, ErrorKind::request);
+  mesh.positions.back().x() = x;
+  std::string got;
+  std::thread reader([&] { got = read_text(name); });
+  write_mesh(name, mesh);
+  reader.join();
+  EXPECT_TRUE(got == format_mesh(mesh, "stl"));
 }
 
 TEST(Progress, OfReadersAndWritersGoesFromZeroToOne) {

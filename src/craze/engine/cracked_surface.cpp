@@ -50,18 +50,21 @@ std::vector<double> CrackedSurface::crack_times() const {
 }
 
 SurfaceMesh CrackedSurface::with_attributes(const SurfaceMesh& uncut) const {
-  return asset ? cut_surface(uncut, asset->cut) : transfer_attributes(uncut, mesh());
+  if (!asset) return transfer_attributes(uncut, mesh());
+  return cut_surface(uncut, asset->cut, mesh().positions(), mesh().triangles());
 }
 
 SurfaceOrigin CrackedSurface::origin() const {
   SurfaceOrigin origin;
   if (!surface_origin || surface_origin->face.empty()) return origin;
   origin.weights = corner_weights(*this);
+  origin.face.reserve(mesh().triangles().size());
   for (std::int32_t f = 0; f < mesh().face_count(); ++f) {
     const std::int32_t source = asset ? asset->cut.face_source[f] : mesh().source_face(f);
     origin.face.push_back(surface_origin->face[source]);
     const auto corner = [&](int i) -> Vec3 {
-      return surface_origin->weights[3 * static_cast<std::size_t>(source) + i];
+      return surface_origin->weights(3 * static_cast<std::size_t>(source) +
+                                     static_cast<std::size_t>(i));
     };
     for (std::size_t c = 3 * static_cast<std::size_t>(f); c < 3 * static_cast<std::size_t>(f) + 3;
          ++c) {

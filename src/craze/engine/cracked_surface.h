@@ -7,6 +7,7 @@
 #include "craze/engine/asset/carry_onto_asset.h"
 #include "craze/engine/cycles.h"
 #include "craze/mesh/components.h"
+#include "craze/mesh/repair/repair_origin.h"
 #include "craze/model/crack_network.h"
 #include "craze/model/simulation.h"
 #include "craze/recipe/own_lengths.h"
@@ -32,7 +33,7 @@ struct CrackedSurface {
   /// What mesh() was cut out of: the simulation's mesh, or the asset.
   std::shared_ptr<const SurfaceMesh> surface;
   /// Per face of `surface`, where in the input it lies; null where it was remeshed.
-  std::shared_ptr<const SurfaceOrigin> surface_origin;
+  std::shared_ptr<const RepairOrigin> surface_origin;
   /// Colours and vertex attributes that `surface` has lost (welded_values.h), or null.
   std::shared_ptr<const SurfaceMesh> lost_values;
   std::shared_ptr<const Simulation> simulation;  ///< stopped: its cut mesh, its stress, its times

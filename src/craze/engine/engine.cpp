@@ -100,7 +100,7 @@ Result crack(Input input, const Recipe& recipe, const CrackOptions& options,
   if (options.on_cancel == OnCancel::keep) onward.cancelled = nullptr;
   auto state = std::make_shared<CrackedSurface>();
   if (report.recipe.mesh.output == OutputMesh::asset) {
-    state->surface_origin = std::make_shared<const SurfaceOrigin>(std::move(traced.origin));
+    state->surface_origin = std::make_shared<const RepairOrigin>(std::move(traced.origin));
   }
   state->lost_values = lost_values;
   const std::vector<Vec3> smooth = std::move(run.surface.smooth);

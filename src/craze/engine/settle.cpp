@@ -63,9 +63,11 @@ void carry(CrackedSurface& state, const std::vector<Vec3>& smooth, Report& repor
                    carried->displacement);
   }
   state.network = std::move(carried->network);
+  report.carried = count_carried(carried->cut, surface.triangles.size());
+  carried->cut.positions = {};
+  carried->cut.triangles = {};
   state.asset = std::move(carried);
   state.fragments = find_components(state.mesh());
-  report.carried = count_carried(state.asset->cut, surface.triangles.size());
   report.time.carry =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

@@ -13,13 +13,13 @@ namespace craze {
 
 std::span<const MeshFormat> mesh_formats() {
   static constexpr MeshFormat all[] = {
-      {"obj", nullptr, read_obj, format_obj, true, false},
-      {"ply", is_ply, read_ply, format_ply, false, false},
-      {"stl", is_stl, read_stl, format_stl, false, false},
+      {"obj", nullptr, read_obj, write_obj, true, false},
+      {"ply", is_ply, read_ply, write_ply, false, false},
+      {"stl", is_stl, read_stl, write_stl, false, false},
       {"off", is_off, read_off, nullptr, false, false},
       {"gltf", is_gltf, read_gltf, nullptr, false, false},
-      {"glb", is_glb, read_gltf, format_glb, true, true},
-      {"usda", nullptr, nullptr, format_usda, true, true},
+      {"glb", is_glb, read_gltf, write_glb, true, true},
+      {"usda", nullptr, nullptr, write_usda, true, true},
   };
   return all;
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
+#include "craze/io/bytes/byte_sink.h"
 #include "craze/io/mesh_source.h"
 #include "craze/surface_mesh.h"
 #include "craze/write_mesh.h"
@@ -18,8 +18,8 @@ struct MeshFormat {
   /// Null: not read.
   SurfaceMesh (*read)(const MeshSource& source);
   /// Null: not written. Reports "write" and throws Cancelled.
-  std::string (*format)(const SurfaceMesh& mesh, const MeshFileOptions& options,
-                        const Context& context);
+  void (*write)(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+                const Context& context);
   bool holds_objects;    ///< MeshFileOptions::objects
   bool holds_animation;  ///< MeshFileOptions::animation
 };

@@ -28,7 +28,7 @@ template <class Condition>
 std::string list_formats(const char* joined_by, Condition condition) {
   std::string list, last;
   for (const MeshFormat& format : mesh_formats()) {
-    if (!format.format || !condition(format)) continue;
+    if (!format.write || !condition(format)) continue;
     if (!last.empty()) list += (list.empty() ? "" : ", ") + last;
     last = fmt::format(".{}", format.name);
   }
@@ -38,7 +38,7 @@ std::string list_formats(const char* joined_by, Condition condition) {
 /// `where`: the file or the format, for messages.
 const MeshFormat& writable_format(std::string_view name, const std::string& where) {
   const MeshFormat* format = find_mesh_format(name);
-  if (format && format->format) return *format;
+  if (format && format->write) return *format;
   throw Error(ErrorKind::usage, "cannot write mesh", where,
               "the extension must be " + list_formats(" or ", [](const auto&) { return true; }));
 }
@@ -140,13 +140,14 @@ void warn_of_lost(const MeshFormat& format, const SurfaceMesh& mesh,
   if (!lost.empty()) options.warn(lost);
 }
 
-std::string format_as(const SurfaceMesh& mesh, std::string_view name, const std::string& where,
-                      const MeshFileOptions& options, const Context& context) {
+/// `where`: the file or the format, for messages.
+const MeshFormat& checked_format(const SurfaceMesh& mesh, std::string_view name,
+                                 const std::string& where, const MeshFileOptions& options) {
   const bool objects = !options.objects.empty(), animation = options.animation != nullptr;
   check_options(find_mesh_format(name), where, objects, animation);
   const MeshFormat& format = writable_format(name, where);
   warn_of_lost(format, mesh, options);
-  return format.format(mesh, options, context);
+  return format;
 }
 
 }  // namespace
@@ -157,7 +158,11 @@ void check_mesh_file(const std::filesystem::path& path, bool objects, bool anima
 
 std::string format_mesh(const SurfaceMesh& mesh, std::string_view format,
                         const MeshFileOptions& options, const Context& context) {
-  return format_as(mesh, format, std::string(format), options, context);
+  std::string bytes;
+  ByteSink sink([&](std::string_view part) { bytes += part; });
+  checked_format(mesh, format, std::string(format), options).write(mesh, options, sink, context);
+  sink.flush();
+  return bytes;
 }
 
 void write_mesh(const std::filesystem::path& path, const SurfaceMesh& mesh,
@@ -185,12 +190,16 @@ void write_mesh(const std::filesystem::path& path, const SurfaceMesh& mesh,
     looks = looks_with_files(*options.looks, pictures);
     own.looks = &looks;
   }
-  const std::string bytes = format_as(mesh, extension, path.string(), own, context);
+  const MeshFormat& format = checked_format(mesh, extension, path.string(), own);
+  AtomicFile file(path, "cannot write mesh", context);
+  ByteSink sink([&](std::string_view part) { file.put(part); });
+  format.write(mesh, own, sink, context);
+  sink.flush();
   pictures.write(context);
   if (!library.file.empty()) {
     write_file(library.file, library.text, "cannot write the materials", context);
   }
-  write_file(path, bytes, "cannot write mesh", context);
+  file.finish();
 }
 
 }  // namespace craze

@@ -152,4 +152,13 @@ std::int32_t TriangleMesh::separate(std::int32_t v, std::int32_t fan_start, bool
   return copy;
 }
 
+void TriangleMesh::shrink_to_fit() {
+  positions_.shrink_to_fit();
+  triangles_.shrink_to_fit();
+  for (auto* numbers : {&opposite_, &first_halfedge_, &source_face_, &root_, &anchor_}) {
+    numbers->shrink_to_fit();
+  }
+  pinned_.shrink_to_fit();
+}
+
 }  // namespace craze

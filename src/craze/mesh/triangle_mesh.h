@@ -129,6 +129,9 @@ class TriangleMesh {
   /// over.
   void slide(std::int32_t h, double t);
 
+  /// Gives back the memory that was kept for more edits.
+  void shrink_to_fit();
+
  private:
   std::int32_t separate(std::int32_t v, std::int32_t fan_start, bool was_open);
 

@@ -40,4 +40,9 @@ void CrackedSheet::slide(std::int32_t h, double t) {
   field_.follow_slide(mesh_, v, toward, t, unstrained);
 }
 
+void CrackedSheet::shrink_to_fit() {
+  mesh_.shrink_to_fit();
+  field_.shrink_to_fit();
+}
+
 }  // namespace craze

@@ -161,6 +161,8 @@ StopReason Simulation::run(const Context& context, const OnOpened& on_opened) {
     context.report({"crack", -1, events_, mesh().face_count(), load()});
   }
   relaxation_->release_memory();
+  sheet_.shrink_to_fit();
+  watch_.shrink_to_fit();
   check_state();
   // 4. For display: post/ and render/.
   return stop_;

@@ -242,4 +242,12 @@ void StressField::follow(const TriangleMesh& mesh, std::int32_t vertex, std::int
   }
 }
 
+void StressField::shrink_to_fit() {
+  elements_.shrink_to_fit();
+  for (auto* vectors : {&forces_, &displacements_}) vectors->shrink_to_fit();
+  normals_.shrink_to_fit();
+  node_areas_.shrink_to_fit();
+  held_.shrink_to_fit();
+}
+
 }  // namespace craze

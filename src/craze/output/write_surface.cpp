@@ -46,6 +46,12 @@ void tell_lost(const std::string& path, const SurfaceMesh& surface, const Source
   if (!lost.empty()) options.warn(lost);
 }
 
+/// Whether only the origin of its faces ties the mesh to what else the file had.
+bool keeps_scene_of(const std::string& path, const SourceFile& source) {
+  return lower_extension(path) == ".glb" &&
+         dynamic_cast<const GltfDocument*>(source.scene.get()) != nullptr;
+}
+
 /// Every face is where it was.
 SurfaceOrigin unmoved(const SurfaceMesh& mesh) {
   SurfaceOrigin origin;
@@ -71,30 +77,30 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Opene
   MeshFileOptions file = options_of(path, source, options, looks);
   file.up = up_axis(recipe.picture.up, source);
   file.metres_per_unit = metres_per_unit(mesh, recipe);
-  const SurfaceOrigin origin = opened_origin(result, shown);
+  const std::string extension = lower_extension(path);
+  // A scene that is kept has its own vertices.
+  const bool keeps = keeps_scene_of(path, source);
+  const SurfaceMesh* lost = result.state().lost_values.get();
+  if (keeps || extension == ".stl") lost = nullptr;
+  SurfaceOrigin origin;
+  if (keeps || lost) origin = opened_origin(result, shown);
   if (!origin.face.empty()) file.origin = &origin;
   file.bent = shown.curled;
-  const MeshFormat* format = find_mesh_format(lower_extension(path));
+  const MeshFormat* format = find_mesh_format(extension);
   if (shown.opened.solid && find_attribute(mesh.face_attributes, "fragment")) {
     if (format && format->holds_objects) {
       file.objects = "fragment";
       file.solids = recipe.post.collider;
-    } else if (options.warn && lower_extension(path) == ".stl") {
+    } else if (options.warn && extension == ".stl") {
       options.warn("pieces have no names in .stl: each is a closed shell of one list of triangles");
     }
   }
   if (shown.shut && file.objects.empty() && recipe.post.lines != ShutCracks::none) {
     file.crack_edges = crack_edges(result, shown);
   }
-  const std::string extension = lower_extension(path);
-  const bool is_glb = extension == ".glb";
   SplitSurface split;
   const SurfaceMesh* written = &mesh;
   MorphAnimation animation;
-  const SurfaceMesh* lost = result.state().lost_values.get();
-  // A scene that is kept has its own vertices.
-  const bool keeps = is_glb && dynamic_cast<const GltfDocument*>(source.scene.get());
-  if (keeps || extension == ".stl") lost = nullptr;
   if (lost && origin.face.size() == mesh.triangles.size()) {
     SurfaceMesh held = *lost;
     if (extension == ".obj") held.vertex_attributes.clear();  // which it has no place for
@@ -109,14 +115,13 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Opene
         "colours or attributes differ between vertices that lie at one place: the first one's are "
         "kept, as mesh.output = \"asset\" would keep all");
   }
-  if (!is_glb || !mesh.corner_normals.empty()) {
+  if (extension != ".glb" || !mesh.corner_normals.empty()) {
     write_mesh(path, *written, file, context);
     return;
   }
   // Viewers shade a GLB without normals flat.
-  SurfaceMesh shaded = *written;
-  shaded.corner_normals = shading_normals(shown, result, options.crease);
-  write_mesh(path, shaded, file, context);
+  file.normals = [&] { return shading_normals(shown, result, options.crease); };
+  write_mesh(path, *written, file, context);
 }
 
 void write_surface(const std::string& path, const SurfaceMesh& mesh, const SourceFile& source,
@@ -125,8 +130,11 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Sourc
   std::vector<MaterialLook> looks;
   MeshFileOptions file = options_of(path, source, options, looks);
   file.up = up_axis(UpAxis::automatic, source);
-  const SurfaceOrigin origin = unmoved(mesh);
-  file.origin = &origin;
+  SurfaceOrigin origin;
+  if (keeps_scene_of(path, source)) {
+    origin = unmoved(mesh);
+    file.origin = &origin;
+  }
   write_mesh(path, mesh, file, context);
 }
 

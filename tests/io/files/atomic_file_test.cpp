@@ -53,6 +53,23 @@ TEST(AtomicFile, AFailureLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
+TEST(AtomicFile, GetsItsPlaceWithItsLastPart) {
+  const TemporaryFolder folder;
+  write_file(folder / "a", "old");
+  {
+    AtomicFile file(folder / "a", "cannot write", {});
+    file.put("ne");
+    EXPECT_EQ(read_file(folder / "a"), "old");
+    file.put("w");
+    file.finish();
+    EXPECT_EQ(read_file(folder / "a"), "new");
+  }
+  { AtomicFile(folder / "a", "cannot write", {}).put("dropped"); }
+  { AtomicFile(folder / "b", "cannot write", {}).put("dropped"); }
+  EXPECT_EQ(read_file(folder / "a"), "new");
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
 TEST(AtomicFile, AKilledWriterLeavesTheOldFileOrTheNewOneAndNothingElse) {
   const std::string old(1000, 'o'), written(20'000'000, 'n');
   for (int trial = 0; trial < 12; ++trial) {

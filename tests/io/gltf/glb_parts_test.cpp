@@ -94,7 +94,7 @@ MorphAnimation three_stages() {
 TEST(GlbAnimation, GoesStageByStageToTheMeshAsItIs) {
   const SurfaceMesh mesh = rich_mesh(4);
   const MorphAnimation animation = three_stages();
-  const std::string bytes = format_glb(mesh, {.animation = &animation});
+  const std::string bytes = format_mesh(mesh, "glb", {.animation = &animation});
   const Played played(bytes);
   const std::vector<float> keys =
       played.floats(played.json["animations"][0]["samplers"][0]["input"]);
@@ -123,7 +123,7 @@ TEST(GlbAnimation, GoesStageByStageToTheMeshAsItIs) {
 TEST(GlbAnimation, SeamsDoNotOpenOnTheWay) {
   const SurfaceMesh mesh = rich_mesh(4);
   const MorphAnimation animation = three_stages();
-  const std::string bytes = format_glb(mesh, {.animation = &animation});
+  const std::string bytes = format_mesh(mesh, "glb", {.animation = &animation});
   const Played played(bytes);
   const std::vector<Vec3> end = played.at_key(0, 5), start = played.at_key(0, 0);
   ASSERT_GT(end.size(), mesh.positions.size()) << "there are copies";
@@ -146,7 +146,7 @@ SurfaceMesh four_pieces() {
 
 TEST(GlbObjects, PartsStayWhereTheyAreAndMeetToTheLastBit) {
   const SurfaceMesh mesh = four_pieces();
-  const std::string bytes = format_glb(mesh, {.objects = "fragment"});
+  const std::string bytes = format_mesh(mesh, "glb", {.objects = "fragment"});
   const SurfaceMesh read = read_mesh(bytes, "a.glb").mesh;
   EXPECT_EQ(read.triangles.size(), mesh.triangles.size());
   std::vector<Vec3> corners, places;
@@ -166,7 +166,8 @@ TEST(GlbObjects, PartsStayWhereTheyAreAndMeetToTheLastBit) {
 TEST(GlbObjects, EachPartMovesWithItsOwnShareOfTheAnimation) {
   const SurfaceMesh mesh = four_pieces();
   const MorphAnimation animation = three_stages();
-  const std::string bytes = format_glb(mesh, {.objects = "fragment", .animation = &animation});
+  const std::string bytes =
+      format_mesh(mesh, "glb", {.objects = "fragment", .animation = &animation});
   const Played played(bytes);
   ASSERT_EQ(played.json["nodes"].size(), 4u);
   EXPECT_EQ(played.json["animations"][0]["channels"].size(), 4u);

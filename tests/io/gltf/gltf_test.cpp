@@ -156,7 +156,7 @@ TEST(Gltf, BuffersComeOnlyFromTheModelsFolder) {
 
 TEST(Gltf, WhatIsWrittenAsGlbReadsBackInSinglePrecision) {
   const SurfaceMesh mesh = rich_mesh();
-  const SurfaceMesh back = read_mesh(format_glb(mesh), "a.glb").mesh;
+  const SurfaceMesh back = read_mesh(format_mesh(mesh, "glb"), "a.glb").mesh;
   // Primitives gather the faces of a material, so put the original in that order too.
   SurfaceMesh sorted = mesh;
   std::size_t at = 0;
@@ -181,14 +181,14 @@ TEST(Gltf, WhatIsWrittenAsGlbReadsBackInSinglePrecision) {
 TEST(Gltf, NormalsWithoutDirectionAreNotWritten) {
   SurfaceMesh mesh = rich_mesh();
   mesh.corner_normals[0].setZero();
-  const SurfaceMesh back = read_mesh(format_glb(mesh), "a.glb").mesh;
+  const SurfaceMesh back = read_mesh(format_mesh(mesh, "glb"), "a.glb").mesh;
   for (const Vec3& n : back.corner_normals) EXPECT_NEAR(n.norm(), 1, 1e-6);
 }
 
 TEST(Gltf, CoordinatesBeyondFloatAreRefused) {
   SurfaceMesh mesh = rich_mesh();
   mesh.positions[0].x() = 1e39;
-  message_of([&] { format_glb(mesh); }, ErrorKind::request);
+  message_of([&] { format_mesh(mesh, "glb"); }, ErrorKind::request);
 }
 
 }  // namespace

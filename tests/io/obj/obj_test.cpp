@@ -77,7 +77,7 @@ TEST(Obj, NumbersAreReadToTheLastBit) {
 }
 
 TEST(Obj, WhatIsWrittenReadsBackTheSame) {
-  const SurfaceMesh mesh = rich_mesh(), back = read(format_obj(mesh));
+  const SurfaceMesh mesh = rich_mesh(), back = read(format_mesh(mesh, "obj"));
   EXPECT_EQ(back.positions, mesh.positions);
   EXPECT_EQ(back.triangles, mesh.triangles);
   EXPECT_EQ(back.corner_uvs, mesh.corner_uvs);
@@ -89,7 +89,7 @@ TEST(Obj, WhatIsWrittenReadsBackTheSame) {
 TEST(Obj, FacesWithoutMaterialStayWithout) {
   SurfaceMesh mesh = rich_mesh();
   mesh.face_materials[3] = -1;
-  const SurfaceMesh back = read(format_obj(mesh));
+  const SurfaceMesh back = read(format_mesh(mesh, "obj"));
   EXPECT_EQ(back.face_materials[3], -1);
   EXPECT_EQ(back.material_names[back.face_materials[4]], mesh.material_names[0]);
 }

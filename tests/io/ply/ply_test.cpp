@@ -107,7 +107,7 @@ TEST(Ply, UvsOfVerticesAndOfFaces) {
 }
 
 TEST(Ply, WhatIsWrittenReadsBackTheSame) {
-  const SurfaceMesh mesh = rich_mesh(), back = read(format_ply(mesh));
+  const SurfaceMesh mesh = rich_mesh(), back = read(format_mesh(mesh, "ply"));
   expect_same_corners(mesh, back, 0);
   expect_same_materials(mesh, back);
   expect_same_at_corners(mesh, back, "crack_time", 0);
@@ -120,7 +120,7 @@ TEST(Ply, WithoutSeamsVerticesStayAsTheyAre) {
   SurfaceMesh mesh = rich_mesh();
   mesh.corner_uvs.clear();
   mesh.corner_normals.clear();
-  const SurfaceMesh back = read(format_ply(mesh));
+  const SurfaceMesh back = read(format_mesh(mesh, "ply"));
   EXPECT_EQ(back.positions, mesh.positions);
   EXPECT_EQ(back.triangles, mesh.triangles);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -136,7 +136,7 @@ TEST(Ply, NamesOfAttributesBecomeWordsOfTheirOwn) {
   mesh.corner_normals.clear();
   const std::vector<double> values(mesh.positions.size(), 1.5);
   mesh.vertex_attributes = {{"x", 1, values}, {"grain size\n", 1, values}, {"", 1, values}};
-  const SurfaceMesh back = read(format_ply(mesh));
+  const SurfaceMesh back = read(format_mesh(mesh, "ply"));
   EXPECT_EQ(back.positions, mesh.positions);
   for (const char* name : {"x_", "grain_size_", "unnamed"}) {
     EXPECT_NE(find_attribute(back.vertex_attributes, name), nullptr) << name;

@@ -21,7 +21,7 @@ SurfaceMesh square() {
 }
 
 TEST(Stl, EqualCornersBecomeOneVertexInTheOrderOfTheFile) {
-  const SurfaceMesh mesh = square(), back = read(format_stl(mesh), "a.stl");
+  const SurfaceMesh mesh = square(), back = read(format_mesh(mesh, "stl"), "a.stl");
   EXPECT_EQ(back.positions, mesh.positions);
   EXPECT_EQ(back.triangles, mesh.triangles);
 }
@@ -30,17 +30,17 @@ TEST(Stl, NegativeZeroIsTheSamePlaceAsZero) {
   SurfaceMesh mesh = square();
   mesh.positions.emplace_back(-0.0, -0.0, -0.0);
   mesh.triangles[1][0] = 4;
-  EXPECT_EQ(read(format_stl(mesh), "a.stl").positions.size(), 4u);
+  EXPECT_EQ(read(format_mesh(mesh, "stl"), "a.stl").positions.size(), 4u);
 }
 
 TEST(Stl, ABinaryFileMayStartWithSolid) {
-  std::string bytes = format_stl(square());
+  std::string bytes = format_mesh(square(), "stl");
   bytes.replace(0, 5, "solid");
   EXPECT_EQ(read(bytes, "a.stl").triangles.size(), 2u);
 }
 
 TEST(Stl, BinaryFilesMayHaveBytesAfterTheLastTriangle) {
-  EXPECT_EQ(read(format_stl(square()) + "trailer", "a.stl").triangles.size(), 2u);
+  EXPECT_EQ(read(format_mesh(square(), "stl") + "trailer", "a.stl").triangles.size(), 2u);
 }
 
 TEST(Stl, AsciiFilesMayHoldSeveralSolidsInAnyCase) {
@@ -54,7 +54,7 @@ TEST(Stl, AsciiFilesMayHoldSeveralSolidsInAnyCase) {
 }
 
 TEST(Stl, ColorsOfFacesComeBackAsTheyWereRead) {
-  std::string bytes = format_stl(square());
+  std::string bytes = format_mesh(square(), "stl");
   for (const std::size_t f : {0, 1}) {
     const auto color =
         static_cast<std::uint16_t>(f == 0 ? 0x8000 | 3 << 10 | 30 << 5 | 17 : 0xffff);
@@ -62,14 +62,14 @@ TEST(Stl, ColorsOfFacesComeBackAsTheyWereRead) {
   }
   const SurfaceMesh mesh = read(bytes);
   ASSERT_EQ(mesh.face_attributes.size(), 3u);
-  EXPECT_EQ(format_stl(mesh), bytes);
+  EXPECT_EQ(format_mesh(mesh, "stl"), bytes);
 }
 
 TEST(Stl, ColorsThatAreNoNumbersOrOutOfRangeAreClamped) {
   SurfaceMesh mesh = square();
   const double none = std::numeric_limits<double>::quiet_NaN();
   mesh.face_attributes = {{"red", 1, {none, -5}}, {"green", 1, {300, 0}}, {"blue", 1, {0, 255}}};
-  const std::string bytes = format_stl(mesh);
+  const std::string bytes = format_mesh(mesh, "stl");
   EXPECT_EQ(load<std::uint16_t>(bytes.data() + 84 + 48), 0x8000 | 31 << 5);
   EXPECT_EQ(load<std::uint16_t>(bytes.data() + 84 + 98), 0x8000 | 31);
 }
@@ -77,7 +77,7 @@ TEST(Stl, ColorsThatAreNoNumbersOrOutOfRangeAreClamped) {
 TEST(Stl, NormalsAreThoseOfTheTrianglesAndZeroWithoutArea) {
   SurfaceMesh mesh = square();
   mesh.triangles.push_back({0, 0, 1});
-  const std::string bytes = format_stl(mesh);
+  const std::string bytes = format_mesh(mesh, "stl");
   EXPECT_NEAR(load<float>(bytes.data() + 84 + 8), 1 / std::sqrt(1.25), 1e-7);
   EXPECT_EQ(load<float>(bytes.data() + 84 + 100 + 8), 0.0f);
 }
@@ -85,12 +85,12 @@ TEST(Stl, NormalsAreThoseOfTheTrianglesAndZeroWithoutArea) {
 TEST(Stl, CoordinatesBeyondFloatAreRefused) {
   SurfaceMesh mesh = square();
   mesh.positions[0].x() = 1e39;
-  message_of([&] { format_stl(mesh); }, ErrorKind::request);
+  message_of([&] { format_mesh(mesh, "stl"); }, ErrorKind::request);
 }
 
 /// A binary file of the square whose last two bytes of each record are these.
 std::string with_attributes(std::uint16_t first, std::uint16_t second) {
-  std::string bytes = format_stl(square());
+  std::string bytes = format_mesh(square(), "stl");
   store(bytes.data() + 84 + 48, first);
   store(bytes.data() + 84 + 98, second);
   return bytes;
@@ -102,7 +102,7 @@ std::vector<double> channel(const SurfaceMesh& mesh, const char* name) {
 }
 
 TEST(Stl, ABinaryFileThatSaysSolidMayHaveMoreBytesThanItsTriangles) {
-  std::string bytes = format_stl(square()) + "exported by hand";
+  std::string bytes = format_mesh(square(), "stl") + "exported by hand";
   bytes.replace(0, 10, "solid part");
   const MeshFile file = read_mesh(bytes, "a.stl");
   EXPECT_EQ(file.mesh.triangles.size(), 2u);

@@ -38,7 +38,7 @@ const UsdPrim& surface(const UsdPrim& root) {
 
 TEST(Usda, HoldsTheTrianglesAndTheirPoints) {
   const SurfaceMesh mesh = rich();
-  const UsdPrim root = parse_usda(format_usda(mesh));
+  const UsdPrim root = parse_usda(format_mesh(mesh, "usda"));
   EXPECT_EQ(root.metadata.at("defaultPrim"), "\"craze\"");
   EXPECT_EQ(root.metadata.at("metersPerUnit"), "1");
   EXPECT_EQ(root.metadata.at("upAxis"), "\"Y\"");
@@ -53,7 +53,7 @@ TEST(Usda, HoldsTheTrianglesAndTheirPoints) {
 
 TEST(Usda, CornersFindTheirUvsAndNormals) {
   const SurfaceMesh mesh = rich();
-  const UsdPrim root = parse_usda(format_usda(mesh));
+  const UsdPrim root = parse_usda(format_mesh(mesh, "usda"));
   const UsdPrim& prim = surface(root);
   const auto st = prim.numbers("primvars:st"), indices = prim.numbers("primvars:st:indices");
   ASSERT_EQ(indices.size(), 6u);
@@ -67,7 +67,7 @@ TEST(Usda, CornersFindTheirUvsAndNormals) {
 }
 
 TEST(Usda, ColorsAndAttributesArePrimvars) {
-  const UsdPrim root = parse_usda(format_usda(rich()));
+  const UsdPrim root = parse_usda(format_mesh(rich(), "usda"));
   const UsdPrim& prim = surface(root);
   EXPECT_EQ(prim.numbers("primvars:displayColor").size(), 12u);
   EXPECT_EQ(prim.numbers("primvars:displayOpacity")[3], 0.5);
@@ -112,7 +112,7 @@ TEST(Usda, MaterialsAreBoundToTheFacesThatHaveThem) {
   MeshFileOptions options;
   options.looks = &looks;
   SurfaceMesh mesh = rich();
-  const UsdPrim root = parse_usda(format_usda(mesh, options));
+  const UsdPrim root = parse_usda(format_mesh(mesh, "usda", options));
   const UsdPrim& scope = root.at("craze").at("Materials");
   ASSERT_EQ(scope.children.size(), 2u) << "one of the three is not used";
   const UsdPrim& brick = scope.at("two_words");
@@ -131,7 +131,7 @@ TEST(Usda, MaterialsAreBoundToTheFacesThatHaveThem) {
             "</craze/Materials/crack_wall>");
 
   mesh.face_materials = {1, 1};
-  const UsdPrim one = parse_usda(format_usda(mesh));
+  const UsdPrim one = parse_usda(format_mesh(mesh, "usda"));
   EXPECT_EQ(surface(one).values.at("material:binding"), "</craze/Materials/_2nd__quoted_>");
   EXPECT_EQ(one.at("craze").at("Materials").at("_2nd__quoted_").metadata.at("displayName"),
             R"("2nd \"quoted\"")");
@@ -145,7 +145,7 @@ UsdPrim material_of(const MaterialLook& look) {
   const std::vector<MaterialLook> looks{look};
   MeshFileOptions options;
   options.looks = &looks;
-  return parse_usda(format_usda(mesh, options)).at("craze").at("Materials").at("one");
+  return parse_usda(format_mesh(mesh, "usda", options)).at("craze").at("Materials").at("one");
 }
 
 TEST(Usda, MaterialsHaveAllPicturesEachInItsColourSpace) {
@@ -279,7 +279,7 @@ TEST(Usda, PicturesInMemoryAreWrittenBesideTheFile) {
   EXPECT_EQ(material.at("BaseColor").values.at("inputs:file"), "@rich_1.png@");
   EXPECT_EQ(material.at("Emission").values.at("inputs:file"), "@rich_1.png@");
   EXPECT_EQ(material.at("Normal").values.at("inputs:file"), "@rich_2.jpg@");
-  format_usda(rich(), options);
+  format_mesh(rich(), "usda", options);
   EXPECT_EQ(said.size(), 1u) << "in memory, there is no beside";
 }
 
@@ -311,7 +311,7 @@ TEST(Usda, NamesAreUnique) {
   mesh.material_names = {"a b", "a-b", "crack_wall"};
   mesh.face_materials = {0, 1};
   mesh.vertex_attributes[1].name = "crack-distance";
-  const UsdPrim root = parse_usda(format_usda(mesh));  // the parser refuses doubles
+  const UsdPrim root = parse_usda(format_mesh(mesh, "usda"));  // the parser refuses doubles
   EXPECT_EQ(root.at("craze").at("Materials").at("a_b_1").metadata.at("displayName"), "\"a-b\"");
   EXPECT_EQ(surface(root).numbers("primvars:crack_distance_1").size(), 12u);
 }
@@ -321,7 +321,7 @@ TEST(Usda, FarFromTheOriginDigitsAreKept) {
   const SurfaceMesh near = cube;
   const Vec3 far(431250.5, 5412375.25, 90);
   for (Vec3& p : cube.positions) p += far;
-  const UsdPrim root = parse_usda(format_usda(cube));
+  const UsdPrim root = parse_usda(format_mesh(cube, "usda"));
   const auto place = surface(root).numbers("xformOp:translate");
   const auto points = surface(root).numbers("points");
   EXPECT_EQ(surface(root).types.at("xformOp:translate"), "double3");
@@ -331,7 +331,7 @@ TEST(Usda, FarFromTheOriginDigitsAreKept) {
       EXPECT_NEAR(place[k] + local, cube.positions[v][static_cast<Eigen::Index>(k)], 1e-6);
     }
   }
-  const UsdPrim at_home = parse_usda(format_usda(near));
+  const UsdPrim at_home = parse_usda(format_mesh(near, "usda"));
   EXPECT_FALSE(surface(at_home).values.count("xformOp:translate"));
 }
 
@@ -340,7 +340,7 @@ TEST(Usda, ObjectsHaveAPlaceEachAndStillMeet) {
   for (Vec3& p : mesh.positions) p = p / 3 + Vec3(0.1, 0.7, 11);
   MeshFileOptions options;
   options.objects = "fragment";
-  const UsdPrim root = parse_usda(format_usda(mesh, options));
+  const UsdPrim root = parse_usda(format_mesh(mesh, "usda", options));
   ASSERT_EQ(root.at("craze").children.size(), 3u);
   const auto corner = [&](const char* name, std::size_t v) {
     const UsdPrim& prim = root.at("craze").at(name);
@@ -362,7 +362,7 @@ TEST(Usda, AnAnimationIsTimeSamplesThatEndAtThePoints) {
   animation.stages = {{{1, 2}, {Vec3(0.5, 0, 0), Vec3(0, 0, 0.25)}}, {{1}, {Vec3(0, 0.5, 0)}}};
   MeshFileOptions options;
   options.animation = &animation;
-  const UsdPrim root = parse_usda(format_usda(rich(), options));
+  const UsdPrim root = parse_usda(format_mesh(rich(), "usda", options));
   EXPECT_EQ(root.metadata.at("timeCodesPerSecond"), "24");
   EXPECT_EQ(root.metadata.at("endTimeCode"), "78");
   // A key, then twelve numbers; three times.
@@ -386,7 +386,7 @@ TEST(Usda, AnAnimationIsTimeSamplesThatEndAtThePoints) {
 TEST(Usda, ACoordinateBeyondSinglePrecisionIsRefused) {
   SurfaceMesh mesh = rich();
   mesh.positions[0].x() = 1e300;
-  message_of([&] { format_usda(mesh); }, ErrorKind::request);
+  message_of([&] { format_mesh(mesh, "usda"); }, ErrorKind::request);
 }
 
 TEST(Usda, GoesByItsExtensionAndIsNotRead) {

@@ -34,8 +34,10 @@ struct SimulatedCracks {
 
 struct CrackedAsset {
   CrackCurves curves;  ///< point n is node n of SimulatedCracks::drawn(), edge e its edge e
-  CutAsset cut;        ///< vertices and faces numbered as in mesh
-  TriangleMesh mesh;   ///< what is cut: crack_of() numbers the edges of network
+  /// Vertices and faces numbered as in mesh, which alone has positions and triangles once the run
+  /// has ended.
+  CutAsset cut;
+  TriangleMesh mesh;  ///< what is cut: crack_of() numbers the edges of network
   /// Of mesh: the simulation's cracks as they lie on the asset, with their times, widths and order.
   /// Faces are the asset's.
   CrackNetwork network;

@@ -12,8 +12,10 @@ constexpr double cancelled = 1e-9;  // a normal shorter than this is the sum of 
 template <class T, class Make>
 std::vector<T> corner_values(const std::vector<T>& old, const CutAsset& cut, Make&& make) {
   if (old.empty()) return {};
-  std::vector<T> values = old;
-  values.resize(3 * cut.triangles.size());
+  std::vector<T> values;
+  values.reserve(3 * cut.face_source.size());
+  values.assign(old.begin(), old.end());
+  values.resize(3 * cut.face_source.size());
   for (std::size_t p = 0; p < cut.parts.size(); ++p) {
     const std::size_t face = cut.parts[p];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -32,8 +34,9 @@ Vec3 normal_at(const SurfaceMesh& asset, std::int32_t f, const Vec3& weights) {
 }
 
 Attribute vertex_attribute(const SurfaceMesh& asset, const Attribute& old, const CutAsset& cut) {
-  Attribute made = old;
-  made.values.reserve(cut.positions.size() * static_cast<std::size_t>(old.components));
+  Attribute made{old.name, old.components, {}};
+  made.values.reserve(cut.root.size() * static_cast<std::size_t>(old.components));
+  made.values.assign(old.values.begin(), old.values.end());
   for (const SurfacePoint& at : cut.new_vertices) {
     const Triangle& t = asset.triangles[at.face];
     for (int k = 0; k < old.components; ++k) {
@@ -46,8 +49,10 @@ Attribute vertex_attribute(const SurfaceMesh& asset, const Attribute& old, const
 }
 
 std::vector<Color> vertex_colors(const SurfaceMesh& asset, const CutAsset& cut) {
-  std::vector<Color> colors = asset.vertex_colors;
-  if (colors.empty()) return colors;
+  if (asset.vertex_colors.empty()) return {};
+  std::vector<Color> colors;
+  colors.reserve(cut.root.size());
+  colors.assign(asset.vertex_colors.begin(), asset.vertex_colors.end());
   for (const SurfacePoint& at : cut.new_vertices) {
     const Triangle& t = asset.triangles[at.face];
     Color& color = colors.emplace_back();
@@ -63,9 +68,10 @@ std::vector<Color> vertex_colors(const SurfaceMesh& asset, const CutAsset& cut) 
 template <class T>
 std::vector<T> face_values(const std::vector<T>& old, const CutAsset& cut) {
   if (old.empty()) return {};
-  std::vector<T> values = old;
-  values.reserve(cut.triangles.size());
-  for (std::size_t f = old.size(); f < cut.triangles.size(); ++f) {
+  std::vector<T> values;
+  values.reserve(cut.face_source.size());
+  values.assign(old.begin(), old.end());
+  for (std::size_t f = old.size(); f < cut.face_source.size(); ++f) {
     values.push_back(old[cut.face_source[f]]);
   }
   return values;
@@ -73,11 +79,13 @@ std::vector<T> face_values(const std::vector<T>& old, const CutAsset& cut) {
 
 }  // namespace
 
-SurfaceMesh cut_surface(const SurfaceMesh& asset, const CutAsset& cut) {
+SurfaceMesh cut_surface(const SurfaceMesh& asset, const CutAsset& cut,
+                        const std::vector<Vec3>& positions,
+                        const std::vector<Triangle>& triangles) {
   SurfaceMesh result;
   result.metres_per_unit = asset.metres_per_unit;
-  result.positions = cut.positions;
-  result.triangles = cut.triangles;
+  result.positions = positions;
+  result.triangles = triangles;
   result.corner_uvs =
       corner_values(asset.corner_uvs, cut, [&](std::int32_t f, const Vec3& weights) -> Vec2 {
         return interpolate_corners(

@@ -38,11 +38,13 @@ std::span<const float> flat(std::span<const std::array<float, 3>> vectors) {
 template <class T>
 std::size_t GlbBuffer::add_view(std::span<const T> numbers, Target target) {
   views_.push_back(
-      {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", sizeof(T) * numbers.size()}});
+      {{"buffer", 0}, {"byteOffset", size_}, {"byteLength", sizeof(T) * numbers.size()}});
   if (target != Target::none) {
     views_.back()["target"] = target == Target::vertices ? array_buffer : element_array_buffer;
   }
-  for (const T x : numbers) append(bytes_, x);
+  std::string& bytes = bytes_.emplace_back(sizeof(T) * numbers.size(), '\0');
+  for (std::size_t i = 0; i < numbers.size(); ++i) store(&bytes[sizeof(T) * i], numbers[i]);
+  size_ += bytes.size();
   return views_.size() - 1;
 }
 
@@ -94,7 +96,9 @@ std::size_t GlbBuffer::add_sparse_vectors(std::size_t count, std::span<const std
 
 std::size_t GlbBuffer::add_bytes(const std::string& bytes) {
   const std::size_t view = add_view(std::span<const char>(bytes), Target::none);
-  bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');  // whatever comes next is aligned
+  const std::size_t aligned = (size_ + 3) / 4 * 4;  // whatever comes next is
+  bytes_.back().append(aligned - size_, '\0');
+  size_ = aligned;
   return view;
 }
 
@@ -106,11 +110,11 @@ std::size_t GlbBuffer::add_keys(std::span<const float> keys) {
   return accessor;
 }
 
-std::string GlbBuffer::pack(ordered_json root) const {
+void GlbBuffer::write(ordered_json root, ByteSink& sink) const {
   root["accessors"] = accessors_;
   root["bufferViews"] = views_;
-  root["buffers"] = {{{"byteLength", bytes_.size()}}};
-  return glb_file(root.dump(-1, ' ', false, ordered_json::error_handler_t::replace), bytes_);
+  root["buffers"] = {{{"byteLength", size_}}};
+  write_glb_file(root.dump(-1, ' ', false, ordered_json::error_handler_t::replace), bytes_, sink);
 }
 
 }  // namespace craze

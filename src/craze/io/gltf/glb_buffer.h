@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "craze/io/bytes/byte_sink.h"
 #include "craze/tensor.h"
 
 namespace craze {
@@ -29,16 +30,17 @@ class GlbBuffer {
   /// A view of any bytes, such as a picture's.
   std::size_t add_bytes(const std::string& bytes);
 
-  /// The file: `root` with accessors, views and buffer added, and the bytes. Throws Error(request)
-  /// for more than 4 GB.
-  std::string pack(nlohmann::ordered_json root) const;
+  /// Passes the file on: `root` with accessors, views and buffer added, and the bytes. Throws
+  /// Error(request) for more than 4 GB.
+  void write(nlohmann::ordered_json root, ByteSink& sink) const;
 
  private:
   template <class T>
   std::size_t add_view(std::span<const T> numbers, Target target);
   std::size_t add_accessor(std::size_t view, int component, std::size_t count, const char* type);
 
-  std::string bytes_;
+  std::vector<std::string> bytes_;  // of each view
+  std::size_t size_ = 0;            // of all
   nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json views_ = nlohmann::ordered_json::array();
 };

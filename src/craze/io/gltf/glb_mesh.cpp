@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "craze/base/progress_meter.h"
 #include "craze/io/gltf/line_lifts.h"
 #include "craze/io/polygons/single_precision.h"
-#include "craze/io/polygons/unify_corners.h"
 
 namespace craze {
 
@@ -23,9 +23,10 @@ float to_float(double x) {
 
 class MeshWriter {
  public:
-  MeshWriter(const SurfaceMesh& mesh, GlbBuffer& buffer, const Context& context)
+  MeshWriter(const SurfaceMesh& mesh, UnifiedCorners unified, GlbBuffer& buffer,
+             const Context& context)
       : mesh_(mesh),
-        unified_(unify_corners(mesh)),
+        unified_(std::move(unified)),
         buffer_(buffer),
         meter_(context, "write", 3 + mesh.vertex_attributes.size(), 1) {}
 
@@ -51,6 +52,7 @@ class MeshWriter {
   void write_positions(const Vec3& origin) {
     next_step();
     std::vector<std::array<float, 3>> positions;
+    positions.reserve(unified_.sources.size());
     for (const std::int32_t v : unified_.sources) {
       positions.push_back(to_floats(mesh_.positions[v] - origin, "GLB"));
     }
@@ -64,6 +66,7 @@ class MeshWriter {
   void write_corner_values() {
     next_step();
     std::vector<float> numbers;
+    numbers.reserve(3 * unified_.normals.size());
     for (const Vec3& n : unified_.normals) {
       for (int k = 0; k < 3; ++k) numbers.push_back(to_float(n[k]));
     }
@@ -90,6 +93,7 @@ class MeshWriter {
       std::string name = glb_attribute_name(fits ? a.name : a.name + "_" + std::to_string(first));
       while (attributes_.contains(name)) name += '_';
       std::vector<float> numbers;
+      numbers.reserve(static_cast<std::size_t>(n) * unified_.sources.size());
       for (const std::int32_t v : unified_.sources) {
         const double* values = &a.values[static_cast<std::size_t>(a.components) * v + first];
         for (int k = 0; k < n; ++k) numbers.push_back(to_float(values[k]));
@@ -219,10 +223,10 @@ ordered_json glb_lines(const SurfaceMesh& mesh, const Vec3& origin,
   return {{"name", "crack_lines"}, {"primitives", ordered_json::array({std::move(primitive)})}};
 }
 
-ordered_json glb_mesh(const SurfaceMesh& mesh, const Vec3& origin,
+ordered_json glb_mesh(const SurfaceMesh& mesh, UnifiedCorners unified, const Vec3& origin,
                       const std::vector<MorphStage>& stages, GlbBuffer& buffer,
                       GlbMaterials& materials, const Context& context) {
-  return MeshWriter(mesh, buffer, context).write(origin, stages, materials);
+  return MeshWriter(mesh, std::move(unified), buffer, context).write(origin, stages, materials);
 }
 
 }  // namespace craze

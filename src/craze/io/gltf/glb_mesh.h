@@ -8,6 +8,7 @@
 #include "craze/context.h"
 #include "craze/io/gltf/glb_buffer.h"
 #include "craze/io/gltf/materials/material_library.h"
+#include "craze/io/polygons/unify_corners.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/surface_mesh.h"
 
@@ -39,9 +40,10 @@ nlohmann::ordered_json glb_lines(const SurfaceMesh& mesh, const Vec3& origin,
                                  const std::vector<std::int32_t>& halfedges, GlbBuffer& buffer,
                                  GlbMaterials& materials);
 
-/// The glTF object of a mesh, its numbers appended to the buffer. Positions are written less
-/// `origin`. `stages` are morph targets that take back what the stages do. Throws Cancelled.
-nlohmann::ordered_json glb_mesh(const SurfaceMesh& mesh, const Vec3& origin,
+/// The glTF object of a mesh, whose vertices are those of `unified`, its numbers appended to the
+/// buffer. Positions are written less `origin`. `stages` are morph targets that take back what the
+/// stages do. Throws Cancelled.
+nlohmann::ordered_json glb_mesh(const SurfaceMesh& mesh, UnifiedCorners unified, const Vec3& origin,
                                 const std::vector<MorphStage>& stages, GlbBuffer& buffer,
                                 GlbMaterials& materials, const Context& context);
 

@@ -13,6 +13,7 @@
 #include "craze/io/gltf/solids/solid_node.h"
 #include "craze/io/polygons/float_grid.h"
 #include "craze/io/polygons/polygon_soup.h"
+#include "craze/io/polygons/unify_corners.h"
 #include "craze/mesh/mesh_parts.h"
 
 namespace craze {
@@ -40,21 +41,25 @@ class GlbWriter {
         library_(material_library(options.scene.get(), mesh)),
         materials_(library_) {}
 
-  std::string write(const SurfaceMesh& mesh) {
+  /// `normals`: unit, 3 #F, in place of the mesh's, or empty.
+  void write(const SurfaceMesh& mesh, std::vector<Vec3> normals, ByteSink& sink) {
     const Vec3 far = far_origin(mesh);
-    if (options_.objects.empty() && !mesh.face_objects.empty()) {
-      add_objects(mesh, far);
-    } else if (options_.objects.empty()) {
+    if (options_.objects.empty() && mesh.face_objects.empty()) {
       ordered_json node{{"mesh", 0}};
       if (!far.isZero(0)) node["translation"] = to_json(far);
-      add_node(std::move(node), mesh, far,
+      UnifiedCorners unified = unify_corners(mesh, normals);
+      normals = {};
+      add_node(std::move(node), mesh, std::move(unified), far,
                options_.animation ? options_.animation->stages : std::vector<MorphStage>{});
-    } else if (far.isZero(0)) {
-      add_parts(mesh);
     } else {
-      SurfaceMesh near = mesh;
-      for (Vec3& p : near.positions) p -= far;
-      add_parts(near);
+      SurfaceMesh whole = mesh;
+      whole.corner_normals = std::move(normals);
+      if (options_.objects.empty()) {
+        add_objects(whole, far);
+      } else {
+        for (Vec3& p : whole.positions) p -= far;
+        add_parts(whole);
+      }
     }
     if (!options_.crack_edges.empty()) add_lines(mesh, far);
     ordered_json root;
@@ -78,15 +83,16 @@ class GlbWriter {
     const std::vector<std::string> extensions = extensions_of(root);
     if (!extensions.empty()) root["extensionsUsed"] = extensions;
     if (options_.animation) root["animations"] = ordered_json::array({animation()});
-    return buffer_.pack(root);
+    buffer_.write(std::move(root), sink);
   }
 
  private:
-  void add_node(ordered_json node, const SurfaceMesh& mesh, const Vec3& origin,
-                const std::vector<MorphStage>& stages) {
+  void add_node(ordered_json node, const SurfaceMesh& mesh, UnifiedCorners unified,
+                const Vec3& origin, const std::vector<MorphStage>& stages) {
     if (context_.is_cancelled()) throw Cancelled();
     nodes_.push_back(std::move(node));
-    meshes_.push_back(glb_mesh(mesh, origin, stages, buffer_, materials_, context_));
+    meshes_.push_back(
+        glb_mesh(mesh, std::move(unified), origin, stages, buffer_, materials_, context_));
   }
 
   void add_parts(const SurfaceMesh& mesh) {
@@ -99,7 +105,7 @@ class GlbWriter {
       ordered_json node{
           {"name", part.name}, {"mesh", meshes_.size()}, {"translation", to_json(origin)}};
       if (options_.solids) describe_solid(own.mesh, origin, part.name, node);
-      add_node(std::move(node), own.mesh, origin,
+      add_node(std::move(node), own.mesh, unify_corners(own.mesh), origin,
                options_.animation ? stages_of(*options_.animation, own.vertices)
                                   : std::vector<MorphStage>{});
     }
@@ -121,7 +127,8 @@ class GlbWriter {
       if (collider.hull.triangles.empty()) continue;
       root["nodes"][collider.of]["children"] = ordered_json::array({root["nodes"].size()});
       root["nodes"].push_back({{"name", collider.name}, {"mesh", meshes_.size()}});
-      meshes_.push_back(glb_mesh(collider.hull, Vec3::Zero(), {}, buffer_, materials_, context_));
+      meshes_.push_back(glb_mesh(collider.hull, unify_corners(collider.hull), Vec3::Zero(), {},
+                                 buffer_, materials_, context_));
       meshes_.back()["name"] = collider.name;
     }
   }
@@ -138,7 +145,7 @@ class GlbWriter {
       if (object >= 0) node["name"] = mesh.object_names[object];
       node["mesh"] = meshes_.size();
       if (!far.isZero(0)) node["translation"] = to_json(far);
-      add_node(std::move(node), own.mesh, far,
+      add_node(std::move(node), own.mesh, unify_corners(own.mesh), far,
                options_.animation ? stages_of(*options_.animation, own.vertices)
                                   : std::vector<MorphStage>{});
     }
@@ -198,20 +205,29 @@ bool keeps_nodes(const SurfaceMesh& mesh, const MeshFileOptions& options) {
   return document && !mesh.face_objects.empty();
 }
 
-std::string format_glb(const SurfaceMesh& mesh, const MeshFileOptions& options,
-                       const Context& context) {
+void write_glb(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+               const Context& context) {
+  if (options.normals && (keeps_scene(options) || keeps_nodes(mesh, options))) {
+    SurfaceMesh shaded = mesh;
+    shaded.corner_normals = options.normals();
+    MeshFileOptions own = options;
+    own.normals = {};
+    write_glb(shaded, own, sink, context);
+    return;
+  }
   if (keeps_scene(options)) {
     const auto& document = dynamic_cast<const GltfDocument&>(*options.scene);
-    return format_scene(mesh, document, options, context);
+    sink.put(format_scene(mesh, document, options, context));
+    return;
   }
   if (keeps_nodes(mesh, options)) {
     const auto& document = dynamic_cast<const GltfDocument&>(*options.scene);
-    return format_resurfaced(mesh, document, options, context);
+    sink.put(format_resurfaced(mesh, document, options, context));
+    return;
   }
-  if (mesh.corner_normals.empty()) return GlbWriter(mesh, options, context).write(mesh);
-  SurfaceMesh unit = mesh;
-  normalize_corner_normals(unit);
-  return GlbWriter(mesh, options, context).write(unit);
+  std::vector<Vec3> normals = options.normals ? options.normals() : mesh.corner_normals;
+  normalize_corner_normals(mesh, normals);
+  GlbWriter(mesh, options, context).write(mesh, std::move(normals), sink);
 }
 
 }  // namespace craze

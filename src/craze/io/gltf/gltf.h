@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "craze/io/bytes/byte_sink.h"
 #include "craze/io/mesh_source.h"
 #include "craze/surface_mesh.h"
 #include "craze/write_mesh.h"
@@ -26,7 +27,7 @@ SurfaceMesh read_gltf(const MeshSource& source);
 bool is_glb(std::string_view bytes);
 bool is_gltf(std::string_view bytes);
 
-/// Whether format_glb() writes the input's scene again, with all that it had: it is of a glTF file,
+/// Whether write_glb() writes the input's scene again, with all that it had: it is of a glTF file,
 /// and the mesh is cut out of its own triangles.
 bool keeps_scene(const MeshFileOptions& options);
 /// Whether it writes the scene's nodes again, showing the mesh: it is of a glTF file, faces know
@@ -40,7 +41,7 @@ bool keeps_nodes(const SurfaceMesh& mesh, const MeshFileOptions& options);
 /// the last bit. A mesh so far from the origin that single precision would move it by 10⁻⁶ of its
 /// size is written about its middle, under a node that puts it in its place. Throws Error(request)
 /// for coordinates beyond single precision and for more than 4 GB.
-std::string format_glb(const SurfaceMesh& mesh, const MeshFileOptions& options = {},
-                       const Context& context = {});
+void write_glb(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+               const Context& context);
 
 }  // namespace craze

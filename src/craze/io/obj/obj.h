@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "craze/io/bytes/byte_sink.h"
 #include "craze/io/mesh_source.h"
 #include "craze/surface_mesh.h"
 #include "craze/write_mesh.h"
@@ -22,7 +23,7 @@ SurfaceMesh read_obj(const MeshSource& source);
 /// `usemtl`. OBJ has no place for attributes. Objects become one `o
 /// NAME_VALUE` each, faces in the order of the values; OBJ knows no places of objects, so all share
 /// the world's axes.
-std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options = {},
-                       const Context& context = {});
+void write_obj(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+               const Context& context);
 
 }  // namespace craze

@@ -62,15 +62,15 @@ std::vector<std::size_t> by_object(const SurfaceMesh& mesh, const ObjScene* scen
 
 }  // namespace
 
-std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
-                       const Context& context) {
+void write_obj(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+               const Context& context) {
   const bool has_uvs = !mesh.corner_uvs.empty(), has_normals = !mesh.corner_normals.empty();
   ProgressMeter meter(context, "write", mesh.positions.size() + mesh.triangles.size());
   const UnifiedCorners uvs = unify_corners(mesh, {.uvs = true, .normals = false});
   const UnifiedCorners normals = unify_corners(mesh, {.uvs = false, .normals = true});
 
-  std::string text = "# craze\n";
-  text.reserve(64 * mesh.positions.size() + 32 * mesh.triangles.size());
+  std::string& text = sink.pending();
+  text += "# craze\n";
   const auto out = std::back_inserter(text);
   if (!options.material_library.empty()) text += "mtllib " + options.material_library + "\n";
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -84,10 +84,15 @@ std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
       if (c[3] < opaque) fmt::format_to(out, FMT_COMPILE(" {}"), c[3]);
     }
     text += '\n';
+    sink.pass_on();
   }
-  for (const Vec2& t : uvs.uvs) fmt::format_to(out, FMT_COMPILE("vt {} {}\n"), t.x(), t.y());
+  for (const Vec2& t : uvs.uvs) {
+    fmt::format_to(out, FMT_COMPILE("vt {} {}\n"), t.x(), t.y());
+    sink.pass_on();
+  }
   for (const Vec3& n : normals.normals) {
     fmt::format_to(out, FMT_COMPILE("vn {} {} {}\n"), n.x(), n.y(), n.z());
+    sink.pass_on();
   }
 
   const auto* scene = dynamic_cast<const ObjScene*>(options.scene.get());
@@ -124,6 +129,7 @@ std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
       }
     }
     text += '\n';
+    sink.pass_on();
   };
   if (has_objects) {
     for (const std::size_t f : by_object(mesh, scene)) add_face(f);
@@ -131,13 +137,12 @@ std::string format_obj(const SurfaceMesh& mesh, const MeshFileOptions& options,
   }
   if (options.objects.empty()) {
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) add_face(f);
-    return text;
+    return;
   }
   for (const MeshPart& part : mesh_parts(mesh, options.objects)) {
     text += "o " + part.name + "\n";
     for (const std::int32_t f : part.faces) add_face(f);
   }
-  return text;
 }
 
 }  // namespace craze

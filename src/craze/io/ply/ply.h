@@ -1,9 +1,9 @@
 // The Stanford polygon format.
 #pragma once
 
-#include <string>
 #include <string_view>
 
+#include "craze/io/bytes/byte_sink.h"
 #include "craze/io/mesh_source.h"
 #include "craze/surface_mesh.h"
 #include "craze/write_mesh.h"
@@ -26,7 +26,7 @@ bool is_ply(std::string_view bytes);
 
 /// The mesh as binary little-endian PLY in the terms above: doubles, colours as bytes. Vertices
 /// whose corners differ in UV or normal are written once for each (see unify_corners).
-std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions& options = {},
-                       const Context& context = {});
+void write_ply(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+               const Context& context);
 
 }  // namespace craze

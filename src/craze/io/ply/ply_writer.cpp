@@ -43,8 +43,8 @@ bool is_color_channel(const Attribute& a) {
 
 }  // namespace
 
-std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions& options,
-                       const Context& context) {
+void write_ply(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+               const Context& context) {
   const UnifiedCorners unified = unify_corners(mesh);
   const auto source = [&](std::size_t i) { return static_cast<std::size_t>(unified.sources[i]); };
 
@@ -89,7 +89,8 @@ std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions& options,
     }
   }
 
-  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment craze\n";
+  std::string& bytes = sink.pending();
+  bytes += "ply\nformat binary_little_endian 1.0\ncomment craze\n";
   if (const auto* scene = dynamic_cast<const PlyScene*>(options.scene.get())) {
     for (const std::string& comment : scene->comments) bytes += "comment " + comment + "\n";
     for (const std::string& info : scene->infos) bytes += "obj_info " + info + "\n";
@@ -105,14 +106,15 @@ std::string format_ply(const SurfaceMesh& mesh, const MeshFileOptions& options,
   for (std::size_t i = 0; i < unified.sources.size(); ++i) {
     meter.at(i);
     vertex.append_row(bytes, i);
+    sink.pass_on();
   }
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     meter.at(unified.sources.size() + f);
     append(bytes, std::uint8_t{3});
     for (const std::int32_t v : unified.triangles[f]) append(bytes, v);
     face.append_row(bytes, f);
+    sink.pass_on();
   }
-  return bytes;
 }
 
 }  // namespace craze

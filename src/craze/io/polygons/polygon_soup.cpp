@@ -150,8 +150,12 @@ void check_size(const SurfaceMesh& mesh, const std::string& name) {
 }
 
 void normalize_corner_normals(SurfaceMesh& mesh) {
-  for (std::size_t c = 0; c < mesh.corner_normals.size(); ++c) {
-    Vec3& n = mesh.corner_normals[c];
+  normalize_corner_normals(mesh, mesh.corner_normals);
+}
+
+void normalize_corner_normals(const SurfaceMesh& mesh, std::vector<Vec3>& normals) {
+  for (std::size_t c = 0; c < normals.size(); ++c) {
+    Vec3& n = normals[c];
     n = n.stableNormalized();
     if (std::abs(n.squaredNorm() - 1) < 1e-9) continue;
     n = face_normal(mesh, c / 3);

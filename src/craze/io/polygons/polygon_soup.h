@@ -42,5 +42,7 @@ void check_size(const SurfaceMesh& mesh, const std::string& name);
 /// Makes every normal unit; those without a direction become their triangle's normal, or +z where
 /// that has none.
 void normalize_corner_normals(SurfaceMesh& mesh);
+/// The same of normals, 3 #F, that the mesh does not hold itself.
+void normalize_corner_normals(const SurfaceMesh& mesh, std::vector<Vec3>& normals);
 
 }  // namespace craze

@@ -1,6 +1,7 @@
 #include "craze/io/polygons/unify_corners.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace craze {
@@ -16,53 +17,51 @@ struct VertexCorners {
       for (const std::int32_t v : t) ++begin[v + 1];
     }
     for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    std::vector<std::size_t> at(begin.begin(), begin.end() - 1);
+    std::vector<std::int32_t> at(begin.begin(), begin.end() - 1);
     for (std::size_t c = 0; c < corners.size(); ++c) {
       corners[at[mesh.triangles[c / 3][c % 3]]++] = static_cast<std::int32_t>(c);
     }
   }
-  std::vector<std::size_t> begin;
-  std::vector<std::int32_t> corners;
+  std::vector<std::int32_t> begin, corners;
 };
 
 /// Compares what two corners carry.
 class CornerValues {
  public:
-  CornerValues(const SurfaceMesh& mesh, bool uvs, bool normals)
-      : mesh_(mesh), uvs_(uvs), normals_(normals) {}
+  /// Empty: not compared.
+  CornerValues(const std::vector<Vec2>& uvs, const std::vector<Vec3>& normals)
+      : uvs_(uvs), normals_(normals) {}
 
   bool equal(std::int32_t a, std::int32_t b) const {
-    return (!uvs_ || mesh_.corner_uvs[a] == mesh_.corner_uvs[b]) &&
-           (!normals_ || mesh_.corner_normals[a] == mesh_.corner_normals[b]);
+    return (uvs_.empty() || uvs_[a] == uvs_[b]) && (normals_.empty() || normals_[a] == normals_[b]);
   }
   bool less(std::int32_t a, std::int32_t b) const {
-    if (uvs_) {
-      const Vec2 &p = mesh_.corner_uvs[a], &q = mesh_.corner_uvs[b];
+    if (!uvs_.empty()) {
+      const Vec2 &p = uvs_[a], &q = uvs_[b];
       if (p != q) return std::tie(p.x(), p.y()) < std::tie(q.x(), q.y());
     }
-    if (normals_) {
-      const Vec3 &p = mesh_.corner_normals[a], &q = mesh_.corner_normals[b];
+    if (!normals_.empty()) {
+      const Vec3 &p = normals_[a], &q = normals_[b];
       if (p != q) return std::tie(p.x(), p.y(), p.z()) < std::tie(q.x(), q.y(), q.z());
     }
     return a < b;
   }
 
  private:
-  const SurfaceMesh& mesh_;
-  bool uvs_, normals_;
+  const std::vector<Vec2>& uvs_;
+  const std::vector<Vec3>& normals_;
 };
 
-}  // namespace
-
-UnifiedCorners unify_corners(const SurfaceMesh& mesh, const CornerKinds& kinds) {
-  const bool uvs = kinds.uvs && !mesh.corner_uvs.empty();
-  const bool normals = kinds.normals && !mesh.corner_normals.empty();
-  const CornerValues values(mesh, uvs, normals);
+UnifiedCorners unify(const SurfaceMesh& mesh, const std::vector<Vec2>& corner_uvs,
+                     const std::vector<Vec3>& corner_normals) {
+  const bool uvs = !corner_uvs.empty(), normals = !corner_normals.empty();
+  const CornerValues values(corner_uvs, corner_normals);
 
   UnifiedCorners unified;
   unified.triangles = mesh.triangles;
   const auto count = static_cast<std::int32_t>(mesh.positions.size());
-  for (std::int32_t v = 0; v < count; ++v) unified.sources.push_back(v);
+  unified.sources.resize(mesh.positions.size());
+  std::iota(unified.sources.begin(), unified.sources.end(), 0);
   if (uvs) unified.uvs.assign(count, Vec2::Zero());
   if (normals) unified.normals.assign(count, Vec3::UnitZ());
   if (!uvs && !normals) return unified;
@@ -71,8 +70,8 @@ UnifiedCorners unify_corners(const SurfaceMesh& mesh, const CornerKinds& kinds) 
   const VertexCorners around(mesh);
   std::vector<std::int32_t> sorted, first_of_group;
   const auto take = [&](std::int32_t vertex, std::int32_t corner) {
-    if (uvs) unified.uvs[vertex] = mesh.corner_uvs[corner];
-    if (normals) unified.normals[vertex] = mesh.corner_normals[corner];
+    if (uvs) unified.uvs[vertex] = corner_uvs[corner];
+    if (normals) unified.normals[vertex] = corner_normals[corner];
   };
   for (std::int32_t v = 0; v < count; ++v) {
     sorted.assign(around.corners.begin() + static_cast<std::ptrdiff_t>(around.begin[v]),
@@ -103,6 +102,19 @@ UnifiedCorners unify_corners(const SurfaceMesh& mesh, const CornerKinds& kinds) 
     }
   }
   return unified;
+}
+
+}  // namespace
+
+UnifiedCorners unify_corners(const SurfaceMesh& mesh, const CornerKinds& kinds) {
+  const std::vector<Vec2> no_uvs;
+  const std::vector<Vec3> no_normals;
+  return unify(mesh, kinds.uvs ? mesh.corner_uvs : no_uvs,
+               kinds.normals ? mesh.corner_normals : no_normals);
+}
+
+UnifiedCorners unify_corners(const SurfaceMesh& mesh, const std::vector<Vec3>& normals) {
+  return unify(mesh, mesh.corner_uvs, normals);
 }
 
 }  // namespace craze

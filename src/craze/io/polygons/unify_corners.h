@@ -24,6 +24,9 @@ struct UnifiedCorners {
   std::vector<Vec3> normals;          ///< per new vertex; empty where the mesh has none
 };
 
+/// The same with these corner normals, 3 #F, instead of the mesh's.
+UnifiedCorners unify_corners(const SurfaceMesh& mesh, const std::vector<Vec3>& normals);
+
 /// Copies a vertex only where its corners differ in one of the `kinds` the mesh has.
 UnifiedCorners unify_corners(const SurfaceMesh& mesh, const CornerKinds& kinds = {});
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "craze/io/bytes/byte_sink.h"
 #include "craze/io/mesh_source.h"
 #include "craze/surface_mesh.h"
 #include "craze/write_mesh.h"
@@ -25,7 +26,7 @@ bool is_stl(std::string_view bytes);
 /// face attributes red, green and blue, 0 … 255, become VisCAM's colours, of five bits each.
 /// Warns, with the loss measured, where that moves vertices by more than 10⁻⁶ of the mesh's size.
 /// Throws Error(request) where a coordinate is too large for that.
-std::string format_stl(const SurfaceMesh& mesh, const MeshFileOptions& options = {},
-                       const Context& context = {});
+void write_stl(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+               const Context& context);
 
 }  // namespace craze

@@ -45,12 +45,12 @@ class FaceColors {
 
 }  // namespace
 
-std::string format_stl(const SurfaceMesh& mesh, const MeshFileOptions& options,
-                       const Context& context) {
+void write_stl(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+               const Context& context) {
   ProgressMeter meter(context, "write", mesh.triangles.size());
-  std::string bytes(80, '\0');
+  std::string& bytes = sink.pending();
+  bytes.assign(80, '\0');
   bytes.replace(0, own_title.size(), own_title);
-  bytes.reserve(84 + 50 * mesh.triangles.size());
   append(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   const FaceColors colors(mesh);
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
@@ -60,13 +60,13 @@ std::string format_stl(const SurfaceMesh& mesh, const MeshFileOptions& options,
       for (const float x : to_floats(mesh.positions[v], "STL")) append(bytes, x);
     }
     append(bytes, colors.of(f));
+    sink.pass_on();
   }
   if (options.warn) {
     if (const std::string loss = describe_precision_loss(mesh); !loss.empty()) {
       options.warn("STL holds single precision alone: " + loss);
     }
   }
-  return bytes;
 }
 
 }  // namespace craze

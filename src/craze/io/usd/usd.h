@@ -1,9 +1,8 @@
 // Universal Scene Description, as text.
 #pragma once
 
-#include <string>
-
 #include "craze/context.h"
+#include "craze/io/bytes/byte_sink.h"
 #include "craze/surface_mesh.h"
 #include "craze/write_mesh.h"
 
@@ -18,7 +17,7 @@ namespace craze {
 /// mesh's, else that of the options, else a metre; y is up unless they say z. Warns of textures
 /// that it cannot name. Throws Error(request) for a mesh that single precision cannot hold, and
 /// Cancelled.
-std::string format_usda(const SurfaceMesh& mesh, const MeshFileOptions& options = {},
-                        const Context& context = {});
+void write_usda(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+                const Context& context);
 
 }  // namespace craze

@@ -42,22 +42,24 @@ bool needs_double(const std::vector<double>& values) {
 
 class MeshWriter {
  public:
-  MeshWriter(const SurfaceMesh& mesh, const Context& context)
-      : mesh_(mesh), context_(context), meter_(context, "write", 0) {
+  MeshWriter(const SurfaceMesh& mesh, ByteSink& sink, const Context& context)
+      : mesh_(mesh),
+        context_(context),
+        meter_(context, "write", 0),
+        sink_(sink),
+        text_(sink.pending()) {
     // What these mean is the format's own.
     for (const char* name : {"st", "normals", "displayColor", "displayOpacity"}) {
       primvars_.take(name);
     }
   }
 
-  std::string write(const std::string& name, const Vec3& origin,
-                    const std::vector<MorphStage>& stages, const UsdClip& clip,
-                    UsdMaterials& materials) {
-    text_ = fmt::format(
+  void write(const std::string& name, const Vec3& origin, const std::vector<MorphStage>& stages,
+             const UsdClip& clip, UsdMaterials& materials) {
+    text_ += fmt::format(
         "    def Mesh \"{}\" (\n        prepend apiSchemas = [\"MaterialBindingAPI\"]\n    )\n"
         "    {{\n",
         name);
-    text_.reserve(200 * mesh_.positions.size() + 100 * mesh_.triangles.size());
     line("uniform bool doubleSided = 1");
     line("uniform token orientation = \"rightHanded\"");
     line("uniform token subdivisionScheme = \"none\"");
@@ -77,7 +79,6 @@ class MeshWriter {
       line("uniform token[] xformOpOrder = [\"xformOp:translate\"]");
     }
     text_ += "    }\n";
-    return std::move(text_);
   }
 
  private:
@@ -89,6 +90,7 @@ class MeshWriter {
     append_usd_array(text_, count, [&](std::string& out, std::size_t i) {
       meter_.at(++done_);
       append(out, i);
+      sink_.pass_on();
     });
     text_ += metadata;
     text_ += '\n';
@@ -111,6 +113,7 @@ class MeshWriter {
     append_usd_array(text_, points.size(), [&](std::string& out, std::size_t i) {
       meter_.at(++done_);
       append_usd_tuple(out, points[i].data(), 3);
+      sink_.pass_on();
     });
   }
 
@@ -246,8 +249,9 @@ class MeshWriter {
           "= \"face\"\n            uniform token familyName = \"materialBind\"\n            int[] "
           "indices = ",
           names.take(path.substr(path.rfind('/') + 1)));
-      append_usd_array(text_, of.size(), [&faces = of](std::string& out, std::size_t i) {
+      append_usd_array(text_, of.size(), [this, &faces = of](std::string& out, std::size_t i) {
         append_usd_number(out, faces[i]);
+        sink_.pass_on();
       });
       text_ += fmt::format("\n            rel material:binding = <{}>\n        }}\n", path);
     }
@@ -258,15 +262,16 @@ class MeshWriter {
   ProgressMeter meter_;
   std::size_t done_ = 0;
   UsdNames primvars_;
-  std::string text_;
+  ByteSink& sink_;
+  std::string& text_;  // what the sink has yet to pass on
 };
 
 }  // namespace
 
-std::string usd_mesh(const std::string& name, const SurfaceMesh& mesh, const Vec3& origin,
-                     const std::vector<MorphStage>& stages, const UsdClip& clip,
-                     UsdMaterials& materials, const Context& context) {
-  return MeshWriter(mesh, context).write(name, origin, stages, clip, materials);
+void usd_mesh(const std::string& name, const SurfaceMesh& mesh, const Vec3& origin,
+              const std::vector<MorphStage>& stages, const UsdClip& clip, UsdMaterials& materials,
+              ByteSink& sink, const Context& context) {
+  MeshWriter(mesh, sink, context).write(name, origin, stages, clip, materials);
 }
 
 }  // namespace craze

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "craze/context.h"
+#include "craze/io/bytes/byte_sink.h"
 #include "craze/io/usd/usd_materials.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/surface_mesh.h"
@@ -17,11 +18,11 @@ struct UsdClip {
   double per_stage = 0;  ///< time codes
 };
 
-/// A Mesh as a child of the root, positions less `origin`, which is where it is placed. `stages`
-/// lead to its positions; none: nothing moves. Throws Error(request) for coordinates beyond single
-/// precision, and Cancelled.
-std::string usd_mesh(const std::string& name, const SurfaceMesh& mesh, const Vec3& origin,
-                     const std::vector<MorphStage>& stages, const UsdClip& clip,
-                     UsdMaterials& materials, const Context& context);
+/// Passes on a Mesh as a child of the root, positions less `origin`, which is where it is placed.
+/// `stages` lead to its positions; none: nothing moves. Throws Error(request) for coordinates
+/// beyond single precision, and Cancelled.
+void usd_mesh(const std::string& name, const SurfaceMesh& mesh, const Vec3& origin,
+              const std::vector<MorphStage>& stages, const UsdClip& clip, UsdMaterials& materials,
+              ByteSink& sink, const Context& context);
 
 }  // namespace craze

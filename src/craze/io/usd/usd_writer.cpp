@@ -22,18 +22,18 @@ class UsdWriter {
   UsdWriter(const SurfaceMesh& mesh, const MeshFileOptions& options, const Context& context)
       : mesh_(mesh), options_(options), context_(context), materials_(mesh, options) {}
 
-  std::string write() {
+  void write(ByteSink& sink) {
     names_.take("Materials");
-    std::string meshes;
+    sink.pending() += header() + "def Xform \"craze\"\n{\n";
     const std::vector<MorphStage> none;
     if (options_.objects.empty()) {
-      meshes = usd_mesh(names_.take("surface"), mesh_, far_origin(mesh_),
-                        options_.animation ? options_.animation->stages : none, clip(), materials_,
-                        context_);
+      usd_mesh(names_.take("surface"), mesh_, far_origin(mesh_),
+               options_.animation ? options_.animation->stages : none, clip(), materials_, sink,
+               context_);
     } else {
-      meshes = parts();
+      write_parts(sink);
     }
-    return header() + "def Xform \"craze\"\n{\n" + meshes + materials_.text() + "}\n";
+    sink.pending() += materials_.text() + "}\n";
   }
 
  private:
@@ -62,12 +62,11 @@ class UsdWriter {
   }
 
   /// Each about its own middle. What meets still meets: places and points lie on one grid.
-  std::string parts() {
+  void write_parts(ByteSink& sink) {
     const Vec3 far = far_origin(mesh_);
     SurfaceMesh near = mesh_;
     for (Vec3& p : near.positions) p -= far;
     const double grid = float_grid(near);
-    std::string text;
     for (const MeshPart& part : mesh_parts(near, options_.objects)) {
       ExtractedPart own = extract_part(near, part.faces);
       const Vec3 origin = on_grid(centroid(own.mesh), grid) + far;
@@ -75,10 +74,9 @@ class UsdWriter {
       const std::vector<MorphStage> stages = options_.animation
                                                  ? stages_of(*options_.animation, own.vertices)
                                                  : std::vector<MorphStage>{};
-      text +=
-          usd_mesh(names_.take(part.name), own.mesh, origin, stages, clip(), materials_, context_);
+      usd_mesh(names_.take(part.name), own.mesh, origin, stages, clip(), materials_, sink,
+               context_);
     }
-    return text;
   }
 
   const SurfaceMesh& mesh_;
@@ -122,14 +120,17 @@ void warn_of_textures(const MeshFileOptions& options) {
 
 }  // namespace
 
-std::string format_usda(const SurfaceMesh& mesh, const MeshFileOptions& options,
-                        const Context& context) {
+void write_usda(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink& sink,
+                const Context& context) {
   warn_of_textures(options);
   warn_of_two_opacities(mesh, options);
-  if (mesh.corner_normals.empty()) return UsdWriter(mesh, options, context).write();
+  if (mesh.corner_normals.empty()) {
+    UsdWriter(mesh, options, context).write(sink);
+    return;
+  }
   SurfaceMesh unit = mesh;
   normalize_corner_normals(unit);
-  return UsdWriter(unit, options, context).write();
+  UsdWriter(unit, options, context).write(sink);
 }
 
 }  // namespace craze

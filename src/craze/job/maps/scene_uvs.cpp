@@ -218,7 +218,7 @@ SceneUvs scene_uvs(const Result& result, const std::shared_ptr<const GltfDocumen
     uvs.is_remeshed = true;
     return uvs;
   }
-  const SurfaceOrigin& origin = *state.surface_origin;
+  const SurfaceOrigin origin = state.surface_origin->whole();
   const Chooser chooser(*document, uvs.surface, origin, context);
   uvs.own = chooser.sets();
   std::map<std::int32_t, Chooser::Fault> faults;

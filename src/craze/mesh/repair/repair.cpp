@@ -261,13 +261,14 @@ class Workpiece {
     opposite_[to_end] = o;
   }
 
-  SurfaceOrigin origin() const {
-    SurfaceOrigin origin;
+  RepairOrigin origin() const {
+    RepairOrigin origin;
     origin.face = source_.faces;
+    origin.corners.reserve(source_.corners.size());
     for (const auto& [a, b] : source_.corners) {
-      origin.weights.push_back(0.5 * (Vec3::Unit(a % 3) + Vec3::Unit(b % 3)));
+      origin.corners.push_back(
+          {static_cast<std::uint8_t>(a % 3), static_cast<std::uint8_t>(b % 3)});
     }
-    origin.wall_begin = static_cast<std::int32_t>(origin.face.size());
     return origin;
   }
 
@@ -281,6 +282,15 @@ class Workpiece {
 };
 
 }  // namespace
+
+SurfaceOrigin RepairOrigin::whole() const {
+  SurfaceOrigin origin;
+  origin.face = face;
+  origin.weights.reserve(corners.size());
+  for (std::size_t c = 0; c < corners.size(); ++c) origin.weights.push_back(weights(c));
+  origin.wall_begin = static_cast<std::int32_t>(face.size());
+  return origin;
+}
 
 std::string RepairReport::text() const {
   std::string text;

@@ -1,15 +1,16 @@
 // A repaired surface that knows where in the input each of its faces lies.
 #pragma once
 
+#include "craze/mesh/repair/repair_origin.h"
 #include "craze/repair.h"
-#include "craze/surface_origin.h"
+#include "craze/surface_mesh.h"
 
 namespace craze {
 
 struct TracedSurface {
   SurfaceMesh surface;
   /// Per face of it. A face that was flipped lies the other way round than the triangle it names.
-  SurfaceOrigin origin;
+  RepairOrigin origin;
 };
 
 /// repair(), with the origin of what it returns.

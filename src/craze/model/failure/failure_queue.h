@@ -22,6 +22,11 @@ class FailureQueue {
     return slot < 0 ? 0 : heap_[slot].measure;
   }
 
+  void shrink_to_fit() {
+    heap_.shrink_to_fit();
+    slot_.shrink_to_fit();
+  }
+
  private:
   struct Entry {
     double measure;

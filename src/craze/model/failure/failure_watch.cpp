@@ -220,4 +220,11 @@ void FailureWatch::opened(const Scene& scene, std::int32_t v, const Vec3& normal
   }
 }
 
+void FailureWatch::shrink_to_fit() {
+  queue_.shrink_to_fit();
+  failing_.shrink_to_fit();
+  resistance_.shrink_to_fit();
+  scars_.shrink_to_fit();
+}
+
 }  // namespace craze

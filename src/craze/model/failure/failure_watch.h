@@ -65,6 +65,9 @@ class FailureWatch {
   /// the mean stress there (stress_ahead.h) in the place of ς.
   CrackPlane crack_plane(const Scene& scene, std::int32_t v);
 
+  /// Gives back the memory that was kept for more nodes.
+  void shrink_to_fit();
+
   /// Whether any node would fail under some load, however high; asked where next() finds none.
   bool can_any_fail() const;
 

@@ -127,9 +127,12 @@ Vec3 goal_of(const std::vector<std::int32_t>& group,
 
 GrowthMotion::GrowthMotion(const TriangleMesh& mesh, const CrackSites& sites,
                            const CrackSchedule& schedule, const OpenedMesh& opened)
-    : shut_(opened.mesh.positions), wall_points_(opened.wall_points), drag_(mesh, sites) {
+    : shut_(opened.mesh.positions.empty() ? mesh.positions() : opened.mesh.positions),
+      wall_points_(opened.wall_points),
+      drag_(mesh, sites) {
   std::copy(mesh.positions().begin(), mesh.positions().end(), shut_.begin());
   add_bottoms(mesh, sites, opened);
+  if (opened.mesh.positions.empty()) return;
   std::vector<Vec3> whole(mesh.positions().size());
   bool moves = false;
   for (std::size_t v = 0; v < whole.size(); ++v) {

@@ -77,8 +77,6 @@ ChippedMesh chipped(const CrackedSurface& state, const TriangleMesh* refined,
 
 OpenedMesh unopened(const SurfaceMesh& cut) {
   OpenedMesh opened;
-  opened.mesh.positions = cut.positions;
-  opened.mesh.triangles = cut.triangles;
   opened.vertex_of.resize(cut.positions.size());
   opened.face_of.resize(cut.triangles.size());
   std::iota(opened.vertex_of.begin(), opened.vertex_of.end(), 0);

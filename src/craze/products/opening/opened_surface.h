@@ -15,8 +15,9 @@
 namespace craze {
 
 struct OpenedSurface {
-  SurfaceMesh mesh;   ///< with all attributes
-  OpenedMesh opened;  ///< where its faces and vertices come from
+  SurfaceMesh mesh;  ///< with all attributes
+  /// Where its faces and vertices come from; without a mesh of its own where nothing was opened.
+  OpenedMesh opened;
   /// What was opened instead of the result's cut mesh, since some faces of that were too large to
   /// bend (bend_refinement.h); mostly null.
   std::shared_ptr<const TriangleMesh> refined;
