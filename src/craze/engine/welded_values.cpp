@@ -23,12 +23,10 @@ std::shared_ptr<const SurfaceMesh> lost_by_welding(const SurfaceMesh& input,
   const SurfaceMesh& made = traced.surface;
   const auto loses = [&](const auto& differ) {
     for (std::size_t c = 0; c < 3 * made.triangles.size(); ++c) {
-      const Vec3& weights = traced.origin.weights[c];
-      int corner = 0;
-      if (weights.maxCoeff(&corner) != 1) continue;
+      const auto [corner, other] = traced.origin.corners[c];
+      if (corner != other) continue;
       const auto face = static_cast<std::size_t>(traced.origin.face[c / 3]);
-      if (differ(input.triangles[face][static_cast<std::size_t>(corner)],
-                 made.triangles[c / 3][c % 3])) {
+      if (differ(input.triangles[face][corner], made.triangles[c / 3][c % 3])) {
         return true;
       }
     }

@@ -17,7 +17,7 @@ render::Image mesh_picture(const SurfaceMesh& mesh, const render::PictureOptions
   const TriangleMesh topology(surface.positions, surface.triangles);
   render::PictureOptions of_subject = options;
   for (std::vector<Vec2>& uvs : of_subject.further_uvs) {
-    if (!uvs.empty()) uvs = uvs_on_surface(uvs, traced.origin);
+    if (!uvs.empty()) uvs = uvs_on_surface(uvs, traced.origin.whole());
   }
   if (options.subject.points.empty()) of_subject.subject = render::subject_of(surface);
   const render::CrackLines lines = render::crack_lines(

@@ -87,7 +87,7 @@ TEST(Usda, AttributesNeverTakeTheNamesOfTheFormatsOwn) {
   for (const char* name : {"st", "normals", "displayColor", "displayOpacity"}) {
     mesh.vertex_attributes.push_back({name, 1, {1, 2, 3, 4}});
   }
-  const UsdPrim root = parse_usda(format_usda(mesh));
+  const UsdPrim root = parse_usda(format_mesh(mesh, "usda"));
   const UsdPrim& prim = surface(root);
   for (const Attribute& a : mesh.vertex_attributes) {
     EXPECT_EQ(prim.types.count("primvars:" + a.name), 0u) << a.name;
@@ -98,7 +98,7 @@ TEST(Usda, AttributesNeverTakeTheNamesOfTheFormatsOwn) {
 TEST(Usda, TypesOfAttributesGoByTheirNames) {
   SurfaceMesh mesh = rich();
   mesh.vertex_attributes = {{"crack_time", 1, {1, 2, 3, 4}}, {"id", 1, {123456789, 0, 0, 0.5}}};
-  const UsdPrim root = parse_usda(format_usda(mesh));
+  const UsdPrim root = parse_usda(format_mesh(mesh, "usda"));
   const UsdPrim& prim = surface(root);
   EXPECT_EQ(prim.types.at("primvars:crack_time"), "float[]") << "whole or not";
   EXPECT_EQ(prim.types.at("primvars:id"), "double[]") << "a float would round it";

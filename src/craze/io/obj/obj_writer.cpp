@@ -133,7 +133,7 @@ void write_obj(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink
   };
   if (has_objects) {
     for (const std::size_t f : by_object(mesh, scene)) add_face(f);
-    return text;
+    return;
   }
   if (options.objects.empty()) {
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) add_face(f);
