@@ -164,8 +164,8 @@ TEST_F(CrackedFiles, FlatColoursAndLabelsStayFlat) {
       EXPECT_EQ(flat_faces(mesh), static_cast<int>(mesh.triangles.size())) << cut << more.back();
     }
   }
-  expect_numbers_of_the_run("flat.ply", {"ply", "glb", "obj"},
-                            {"--set", "layer.relative_spacing=0.1"});
+  // In OBJ a border of colours and a crack along it look the same.
+  expect_numbers_of_the_run("flat.ply", {"ply", "glb"}, {"--set", "layer.relative_spacing=0.1"});
   const CommandResult result =
       run({"crack", "flat.ply", "-o", "cut.ply", "--preset", "mud", "--quiet", "--set",
            "layer.relative_spacing=0.2", "--set", "mesh.output=\"simulation\""});

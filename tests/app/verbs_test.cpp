@@ -130,8 +130,7 @@ TEST_F(Verbs, StatsTakesTheStepsOfPixelsOutOfASkeleton) {
   for (const char* wrong : {"-1", "nan", "wide"}) {
     const CommandResult result = run({"stats", "skeleton.json", "--simplify", wrong});
     EXPECT_EQ(result.code, 2);
-    EXPECT_NE(result.err.find(std::string(wrong) + " is out of range: must be at least 0"),
-              std::string::npos)
+    EXPECT_NE(result.err.find(std::string("--simplify: ") + wrong + " is "), std::string::npos)
         << result.err;
   }
 }

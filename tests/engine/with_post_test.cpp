@@ -70,11 +70,13 @@ TEST(WithPost, IsWhatARunWithItIsToTheByte) {
       bytes.push_back(all_of(fresh.back()));
     }
     EXPECT_NE(bytes[0], bytes[1]);
+    Recipe smooth = read_preset("mud");
+    smooth.post.relative_roughness = 0;  // as mud_run() has it
     const bool is_scan = run[0] == "cup?n=90";
     EXPECT_EQ(smooth_asset(*fresh[0].state().surface, fresh[0].report().recipe).empty(), !is_scan);
     for (std::size_t from = 0; from < posts.size(); ++from) {
       for (std::size_t to = 0; to < posts.size(); ++to) {
-        PostParameters post = recipe_with(posts[to], read_preset("mud")).post;
+        PostParameters post = recipe_with(posts[to], smooth).post;
         const Result changed = with_post(fresh[from], post, {});
         EXPECT_EQ(all_of(changed) == bytes[to], true) << run[0] << " " << from << " → " << to;
         EXPECT_EQ(changed.state().simulation, fresh[from].state().simulation);
