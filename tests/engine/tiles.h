@@ -8,11 +8,12 @@
 
 namespace craze {
 
-/// Mud whose pieces are `spacing` of the side of a tile.
+/// Mud with smooth lines whose pieces are `spacing` of the side of a tile.
 inline Recipe mud_for_tiles(double spacing, std::uint64_t seed) {
   Recipe recipe = read_preset("mud");
   recipe.simulation.layer.spacing = spacing;
   recipe.simulation.seed = seed;
+  recipe.post.relative_roughness = 0;
   return recipe;
 }
 
