@@ -187,8 +187,11 @@ class Result:
         for name, value in (("gap", gap), ("wall", wall), ("curl", curl), ("thickness", thickness)):
             if value is None:
                 continue
-            post[name] = value if isinstance(value, str) else real(value, name)
-            if not isinstance(value, str) and not math.isfinite(post[name]):
+            if isinstance(value, str) and name in ("wall", "thickness"):
+                post[name] = value  # a length with a unit
+                continue
+            post[name] = real(value, name)
+            if not math.isfinite(post[name]):
                 raise Error(f"wrong {name} ({shown(value)}): must be finite", "request")
         if core is not None:
             post["core"] = bool(core)
