@@ -91,6 +91,19 @@ class Scene(Case):
         moved = craze.read(self.path / "up.glb")
         self.assertAlmostEqual(moved.vertices[:, 1].max(), cut.vertices[:, 1].max(), places=5)
 
+    def test_new_attributes_reach_parts_that_nothing_has_cracked(self):
+        mesh = craze.read(self.given)
+        number = np.arange(len(mesh.vertices), dtype=float)
+        mesh.vertex_attributes["number"] = number
+        mesh.write(self.path / "numbered.glb")
+        self.assertEqual(names(self.path / "numbered.glb", "animations"), ["sway", "wave"])
+        kept = craze.read(self.path / "numbered.glb")
+        self.assertTrue(np.array_equal(kept.vertex_attributes["number"], number))
+        cracked = self.path / "cracked.glb"
+        craze.crack(mesh, "glaze", 3, max_cracks=2, **SETTINGS).write(cracked)
+        found = craze.read(cracked).vertex_attributes["number"]
+        self.assertGreater(found.max(), 0.99 * number.max())  # the last part's; welded ones have one
+
     def test_another_surface_and_copies_are_meshes_alone(self):
         mesh = craze.read(self.given)
         mesh.uv = np.array(mesh.uv) * 2

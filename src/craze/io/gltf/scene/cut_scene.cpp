@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "craze/mesh/run_attributes.h"
+
 namespace craze {
 
 CutScene::CutScene(const GltfDocument& document, const SurfaceMesh& mesh,
@@ -28,10 +30,20 @@ CutScene::CutScene(const GltfDocument& document, const SurfaceMesh& mesh,
   for (const std::int32_t h : crack_edges) {
     parts_[document.part_of(origin.face[h / 3])].crack_edges.push_back(h);
   }
+  const bool whole = is_apart || has_new_attributes();
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     parts_[p].is_changed =
-        (is_apart && !parts_[p].faces.empty()) || is_changed(document.parts()[p], parts_[p]);
+        (whole && !parts_[p].faces.empty()) || is_changed(document.parts()[p], parts_[p]);
   }
+}
+
+bool CutScene::has_new_attributes() const {
+  const std::vector<std::string>& known = document_.attributes();
+  return std::any_of(mesh_.vertex_attributes.begin(), mesh_.vertex_attributes.end(),
+                     [&](const Attribute& a) {
+                       return !is_run_attribute(a.name) &&
+                              std::find(known.begin(), known.end(), a.name) == known.end();
+                     });
 }
 
 std::array<std::uint32_t, 3> CutScene::read_triangle(const GltfPart& part,

@@ -16,7 +16,7 @@ struct PartFaces {
   std::vector<std::int32_t> faces;  ///< by the document's triangle
   std::vector<std::int32_t> walls;
   std::vector<std::int32_t> crack_edges;  ///< halfedges 3f+i along shut cracks, one a crack
-  bool is_changed = false;                ///< cut, moved, with walls, or to be taken apart
+  bool is_changed = false;                ///< cut, moved, with walls, or to be written anew
 };
 
 class CutScene {
@@ -48,6 +48,8 @@ class CutScene {
  private:
   std::array<std::uint32_t, 3> read_triangle(const GltfPart& part, std::int32_t face) const;
   bool is_changed(const GltfPart& part, const PartFaces& faces) const;
+  /// Whether the mesh has vertex attributes that neither the document has nor a run adds.
+  bool has_new_attributes() const;
 
   const GltfDocument& document_;
   const SurfaceMesh& mesh_;
