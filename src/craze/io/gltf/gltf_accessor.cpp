@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "craze/io/bytes/base64.h"
+#include "craze/io/bytes/data_uri.h"
 #include "craze/io/bytes/input_error.h"
 
 namespace craze {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "craze/io/bytes/base64.h"
+#include "craze/io/bytes/data_uri.h"
 #include "craze/io/bytes/input_error.h"
 
 namespace craze {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "craze/error.h"
-#include "craze/io/bytes/base64.h"
 #include "craze/io/bytes/byte_order.h"
+#include "craze/io/bytes/data_uri.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/files/sibling_files.h"
 #include "craze/io/gltf/scene/gltf_document.h"
