@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "craze/error.h"
-#include "craze/io/bytes/base64.h"
+#include "craze/io/bytes/data_uri.h"
 #include "craze/io/gltf/texture_place.h"
 
 namespace craze {
@@ -38,7 +38,6 @@ class Looks {
 
   MaterialLook look_of(const Json& material) {
     MaterialLook look;
-    further_.clear();
     // The format's own, where a material does not say.
     look.metallic = look.roughness = 1;
     if (!material.is_object()) return look;
@@ -46,7 +45,6 @@ class Looks {
     add_relief(look, material);
     add_emission(look, material);
     const Json* surface = object_in(material, "pbrMetallicRoughness");
-    look.further = further_;
     if (!surface) return look;
     double factor[4];
     if (json_.numbers(*surface, "baseColorFactor", factor, 4)) {
@@ -54,10 +52,9 @@ class Looks {
     }
     look.metallic = number_or(*surface, "metallicFactor", 1);
     look.roughness = number_or(*surface, "roughnessFactor", 1);
-    look.base_picture = picture_at(*surface, "baseColorTexture", &MaterialLook::base_picture);
-    look.metallic_roughness_picture =
-        picture_at(*surface, "metallicRoughnessTexture", &MaterialLook::metallic_roughness_picture);
-    look.further = further_;
+    add_picture(look, *surface, "baseColorTexture", &MaterialLook::base_picture);
+    add_picture(look, *surface, "metallicRoughnessTexture",
+                &MaterialLook::metallic_roughness_picture);
     return look;
   }
 
@@ -71,9 +68,8 @@ class Looks {
     const Json* clear = json_.extension(material, "KHR_materials_transmission");
     if (!clear) return;
     look.transmission = number_or(*clear, "transmissionFactor", 0);
-    look.transmission_picture =
-        picture_at(*clear, "transmissionTexture", &MaterialLook::transmission_picture);
-    for (FurtherPicture& further : further_) {
+    add_picture(look, *clear, "transmissionTexture", &MaterialLook::transmission_picture);
+    for (FurtherPicture& further : look.further) {
       if (further.slot == &MaterialLook::transmission_picture) further.factor = look.transmission;
     }
     // A texture that cannot be read could have said that nothing is.
@@ -81,9 +77,8 @@ class Looks {
   }
 
   void add_relief(MaterialLook& look, const Json& material) {
-    look.normal_picture = picture_at(material, "normalTexture", &MaterialLook::normal_picture);
-    look.occlusion_picture =
-        picture_at(material, "occlusionTexture", &MaterialLook::occlusion_picture);
+    add_picture(look, material, "normalTexture", &MaterialLook::normal_picture);
+    add_picture(look, material, "occlusionTexture", &MaterialLook::occlusion_picture);
     if (const Json* normal = object_in(material, "normalTexture")) {
       look.normal_strength = number_or(*normal, "scale", 1, -most, most);
     }
@@ -93,8 +88,7 @@ class Looks {
   }
 
   void add_emission(MaterialLook& look, const Json& material) {
-    look.emission_picture =
-        picture_at(material, "emissiveTexture", &MaterialLook::emission_picture);
+    add_picture(look, material, "emissiveTexture", &MaterialLook::emission_picture);
     const Json* strong = json_.extension(material, "KHR_materials_emissive_strength");
     const float strength = strong ? number_or(*strong, "emissiveStrength", 1, 0, most) : 1;
     double factor[3];
@@ -104,26 +98,29 @@ class Looks {
     }
   }
 
-  /// The picture that `material` names as `key`; none where it reads other UVs than the first,
-  /// which are put aside.
-  LookPicture picture_at(const Json& material, const char* key, LookPicture MaterialLook::*slot) {
-    LookPicture seen;
+  /// Puts the picture that `material` names as `key` into its slot; one that reads other UVs than
+  /// the first is put aside.
+  void add_picture(MaterialLook& look, const Json& material, const char* key,
+                   LookPicture MaterialLook::*slot) {
     const Json* reference = object_in(material, key);
-    if (!reference) return seen;
+    if (!reference) return;
     std::size_t uv_set = json_.index_or(*reference, "texCoord", 0);
     const Json* transform = json_.extension(*reference, "KHR_texture_transform");
     if (transform) uv_set = json_.index_or(*transform, "texCoord", uv_set);
     const auto index = json_.index(*reference, "index");
-    if (!index) return seen;
+    if (!index) return;
     const Json& texture = json_.item(root_, "textures", *index);
     const auto image = json_.index(texture, "source");
-    if (!image) return seen;
+    if (!image) return;
+    LookPicture seen;
     seen.wraps = texture_wraps(root_, texture);
     if (transform) seen.place = texture_place(*transform, json_);
     std::tie(seen.bytes, seen.file) = picture(*image);
-    if (uv_set == 0) return seen;
-    further_.push_back({slot, std::move(seen), uv_set});
-    return {};
+    if (uv_set == 0) {
+      look.*slot = std::move(seen);
+    } else {
+      look.further.push_back({slot, std::move(seen), uv_set});
+    }
   }
 
   using Picture = std::pair<std::shared_ptr<const std::string>, std::string>;
@@ -159,7 +156,6 @@ class Looks {
   const MeshSource& source_;
   GltfJson json_;
   std::map<std::size_t, Picture> pictures_;  ///< by image
-  std::vector<FurtherPicture> further_;      // of the material that is read
 };
 
 }  // namespace
