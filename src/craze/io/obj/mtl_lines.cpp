@@ -1,10 +1,10 @@
 #include "craze/io/obj/mtl_lines.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "craze/base/parse_double.h"
+#include "craze/io/files/file_names.h"
 
 namespace craze {
 
@@ -95,22 +95,6 @@ MtlPicture parse_mtl_picture(std::string_view rest) {
 
 std::string_view mtl_picture_name(std::string_view rest) {
   return after_options(rest, [](std::string_view, std::size_t, std::string_view) {});
-}
-
-std::string plain_file_name(std::string_view name) {
-  name = trimmed(name);
-  if (name.size() > 1 && name.front() == '"' && name.back() == '"') {
-    name = name.substr(1, name.size() - 2);
-  }
-  std::string plain(name);
-  std::replace(plain.begin(), plain.end(), '\\', '/');
-  return plain;
-}
-
-bool is_absolute_name(const std::string& name) {
-  const bool has_drive =
-      name.size() > 1 && name[1] == ':' && std::isalpha(static_cast<unsigned char>(name[0])) != 0;
-  return name.starts_with('/') || has_drive || name.find("://") != std::string::npos;
 }
 
 }  // namespace craze

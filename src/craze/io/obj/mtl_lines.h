@@ -32,11 +32,4 @@ MtlPicture parse_mtl_picture(std::string_view rest);
 /// The name alone, as it stands there.
 std::string_view mtl_picture_name(std::string_view rest);
 
-/// A file's name without quotes around it, and with / between folders.
-std::string plain_file_name(std::string_view name);
-
-/// Whether a name, so written, says where a file is whatever folder it is named from, on any
-/// system.
-bool is_absolute_name(const std::string& name);
-
 }  // namespace craze

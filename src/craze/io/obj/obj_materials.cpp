@@ -9,7 +9,8 @@
 #include "craze/error.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_encoding.h"
-#include "craze/io/image/picture_type.h"
+#include "craze/io/files/bring_picture.h"
+#include "craze/io/files/file_names.h"
 
 namespace craze {
 
@@ -44,21 +45,6 @@ class Named {
   std::map<std::string, std::string> known_;
   std::string text_;
 };
-
-/// The bytes of a picture, or why there are none.
-std::string bring_picture(const std::string& name, const MeshSource& source, std::string& why) {
-  std::string bytes;
-  try {
-    if (source.files) bytes = source.files(name);
-  } catch (const Error&) {
-    const bool leads_out = is_absolute_name(name) || name.starts_with("../");
-    why = leads_out ? " (not in the model's folder)" : " (not found)";
-    return {};
-  }
-  if (!source.files) why = " (no files are read here)";
-  if (!bytes.empty() && picture_type(bytes).empty()) why = " (no PNG or JPEG)";
-  return bytes;
-}
 
 LookPicture look_picture(const MtlPicture& picture) {
   LookPicture look;
@@ -119,12 +105,11 @@ void bring_pictures(const std::vector<std::string>& material_names, const MeshSo
     for (const auto* picture :
          {&material.color_picture, &material.normal_picture, &material.emission_picture}) {
       if (picture->name.empty() || scene.pictures.count(picture->name)) continue;
-      std::string why;
-      std::string bytes = bring_picture(picture->name, source, why);
-      if (why.empty()) {
-        scene.pictures[picture->name] = std::move(bytes);
+      BroughtPicture brought = bring_picture(picture->name, source);
+      if (brought.why.empty()) {
+        scene.pictures[picture->name] = std::move(brought.bytes);
       } else {
-        missing.add(picture->name, why);
+        missing.add(picture->name, " (" + brought.why + ")");
       }
     }
     if (material.has_unknown_color) unknown.add(material.name);

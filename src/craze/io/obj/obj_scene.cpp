@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "craze/io/files/file_names.h"
 #include "craze/io/obj/mtl.h"
 
 namespace craze {
@@ -11,11 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view wall_material = "\nnewmtl crack_wall\nKd 0.25 0.25 0.25\n";
-
-fs::path whole_path(const fs::path& path) {
-  std::error_code ignored;
-  return fs::weakly_canonical(path.empty() ? fs::path(".") : path, ignored);
-}
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 
-#include "craze/error.h"
 #include "craze/io/bytes/input_error.h"
-#include "craze/io/image/picture_type.h"
-#include "craze/io/obj/mtl_lines.h"
+#include "craze/io/files/bring_picture.h"
+#include "craze/io/files/file_names.h"
 
 namespace craze {
 
@@ -16,11 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string texture_key = "TextureFile ";
-
-fs::path whole_folder(const fs::path& folder) {
-  std::error_code ignored;
-  return fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, ignored);
-}
 
 /// As header lines name materials: without the folders and the ending.
 std::string material_name(const std::string& texture) {
@@ -52,7 +46,7 @@ std::vector<SceneContent> PlyScene::contents() const {
 }
 
 std::shared_ptr<const PlyScene> PlyScene::seen_from(const fs::path& path) const {
-  const fs::path from = whole_folder(folder), to = whole_folder(path.parent_path());
+  const fs::path from = whole_path(folder), to = whole_path(path.parent_path());
   auto moved = std::make_shared<PlyScene>(*this);
   if (from == to) return moved;
   for (std::string& comment : moved->comments) {
@@ -106,18 +100,12 @@ void bring_textures(const std::vector<std::string>& materials, const PlyHeader& 
   if (!source.files) return;
   for (const std::string& texture : header.textures) {
     const std::string name = plain_file_name(texture);
-    const char* why = "no PNG or JPEG";
-    try {
-      std::string bytes = source.files(name);
-      if (!picture_type(bytes).empty()) {
-        scene.pictures[name] = std::move(bytes);
-        continue;
-      }
-    } catch (const Error&) {
-      const bool leads_out = is_absolute_name(name) || name.starts_with("../");
-      why = leads_out ? "not in the model's folder" : "not found";
+    BroughtPicture picture = bring_picture(name, source);
+    if (picture.why.empty()) {
+      scene.pictures[name] = std::move(picture.bytes);
+    } else {
+      source.warn(fmt::format("texture '{}' cannot be read: {}", printable(name), picture.why));
     }
-    source.warn(fmt::format("texture '{}' cannot be read: {}", printable(name), why));
   }
 }
 
