@@ -1,5 +1,7 @@
 #include "craze/output/lost_data.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -9,12 +11,6 @@
 namespace craze {
 
 namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 bool counts(const SourceScene* scene, std::string_view kind) {
   if (!scene) return false;
@@ -52,8 +48,8 @@ std::string describe_lost_data(const SurfaceMesh& surface, std::string_view form
   }
   if (is_stl || is_obj || is_glb) name_attributes(surface.face_attributes, "face", is_stl, lost);
   if (lost.empty()) return {};
-  std::string sentence = "not kept of the surface, since ." + std::string(format);
-  return sentence + " has no place for them: " + listed(lost);
+  return fmt::format("not kept of the surface, since .{} has no place for them: {}", format,
+                     fmt::join(lost, ", "));
 }
 
 std::string describe_replaced_data(const SurfaceMesh& surface) {
@@ -64,7 +60,8 @@ std::string describe_replaced_data(const SurfaceMesh& surface) {
     }
   }
   if (replaced.empty()) return {};
-  return "attributes that the surface had are replaced by those of this run: " + listed(replaced);
+  return fmt::format("attributes that the surface had are replaced by those of this run: {}",
+                     fmt::join(replaced, ", "));
 }
 
 }  // namespace craze
