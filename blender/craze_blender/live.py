@@ -54,12 +54,12 @@ def start(thing: Any, do: str, scene: Any) -> Work:
     return Work(engine, runs.crack(engine, order, name))
 
 
-def finish(thing: Any, work: Work, scene: Any) -> None:
+def finish(thing: Any, work: Work) -> None:
     """Gives the object what came of it."""
     cracked.replace_mesh(thing, work.result)
     if not work.result.report:
         recipe = json.loads(thing.craze.recipe)
-        recipe["post"].update(_shown_post(panel_recipe.recipe_of(scene.craze, list)))
+        recipe["post"] = work.result.post
         thing.craze.recipe = json.dumps(recipe)
 
 
@@ -93,7 +93,7 @@ def _tick() -> float | None:
         _Wish.work = None
         thing = bpy.data.objects.get(_Wish.thing)
         if work.state == "done" and thing is not None:
-            finish(thing, work, bpy.context.scene)
+            finish(thing, work)
             with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
                 bpy.ops.ed.undo_push(message="Craze")
         elif work.state == "failed":

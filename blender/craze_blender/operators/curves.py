@@ -67,12 +67,13 @@ class CRAZE_OT_curves(OfCracked, bpy.types.Operator):
 
     def steps(self, context: Any) -> Steps:
         thing = context.active_object
-        arrays = yield from runs.lines(process.engine(), cracked.order_of(thing))
+        post = cracked.post_of(thing)
+        arrays = yield from runs.lines(process.engine(), cracked.order_of(thing), post)
         curve = bpy.data.curves.new(f"{thing.name} lines", "CURVE")
         done = False
         try:
             curve.dimensions = "3D"
-            curve.bevel_depth = cracked.post_of(thing)["gap"] or GAP
+            curve.bevel_depth = post["gap"] or GAP
             for line in chains(arrays["edges"], arrays["event"]):
                 yield
                 if line is None:
