@@ -58,9 +58,7 @@ def finish(thing: Any, work: Work) -> None:
     """Gives the object what came of it."""
     cracked.replace_mesh(thing, work.result)
     if not work.result.report:
-        recipe = json.loads(thing.craze.recipe)
-        recipe["post"] = work.result.post
-        thing.craze.recipe = json.dumps(recipe)
+        cracked.set_post(thing, work.result.post)
 
 
 def _shown_post(recipe: dict[str, Any]) -> dict[str, Any]:
@@ -84,15 +82,21 @@ def _tick() -> float | None:
         if not cracked.is_cracked(thing):
             _Wish.do = None
             return None
+        if thing.mode == "EDIT":
+            return INTERVAL  # as long as it is, it keeps its mesh
         pause = 0.0 if _Wish.do == "open" else PAUSE
         if time.monotonic() - _Wish.since >= pause:
             _Wish.work = start(thing, _Wish.do, bpy.context.scene)
             _Wish.do = None
         return INTERVAL
     if work.advance(SLICE):
-        _Wish.work = None
         thing = bpy.data.objects.get(_Wish.thing)
-        if work.state == "done" and thing is not None:
+        if work.state == "done" and thing is not None and thing.mode == "EDIT":
+            return INTERVAL
+        _Wish.work = None
+        if work.state == "done" and thing is None:
+            bpy.data.meshes.remove(work.result.mesh)
+        elif work.state == "done":
             finish(thing, work)
             with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
                 bpy.ops.ed.undo_push(message="Craze")

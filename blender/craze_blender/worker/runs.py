@@ -277,9 +277,10 @@ class Runs:
         progress: Callable[..., None],
     ) -> dict[str, Any]:  # fmt: skip
         """As open(), with positions at some times."""
-        return self._made(
+        made = self._made(
             run, out, lambda kept: {**kept.opened(post), **kept.positions(times, post)}, post
         )
+        return made if made.get("lost") else {**made, "post": self._kept[run].post(post)}
 
     def lines(
         self, run: str, post: dict[str, Any], out: str, progress: Callable[..., None]
