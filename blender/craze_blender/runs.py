@@ -158,7 +158,7 @@ def _named_by(
 ) -> dict[str, Any]:
     """Adds the attributes and pictures that the recipe names."""
     text = order.recipe if isinstance(order.recipe, str) else _json(order.recipe)
-    if isinstance(order.recipe, str) and order.recipe.endswith((".toml", ".json")):
+    if isinstance(order.recipe, str) and order.recipe.lower().endswith((".toml", ".json")):
         try:
             with open(order.recipe, encoding="utf-8") as file:
                 text = file.read()
@@ -167,7 +167,7 @@ def _named_by(
     text += _json(order.settings)
 
     def named(name: str) -> bool:
-        return f'"{name}"' in text or f"'{name}'" in text
+        return _json(name) in text or f'"{name}"' in text or f"'{name}'" in text
 
     attributes = []
     for name in dict.fromkeys([*groups, *(a.name for a in order.mesh.attributes)]):
