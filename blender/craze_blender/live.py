@@ -8,9 +8,11 @@ import time
 from typing import Any
 
 import bpy
+from bpy.app.handlers import persistent
 
 from . import cracked, panel_recipe, process, runs, table
 from .work import Work
+from .world import remove
 
 PAUSE = 0.15  # seconds without a change before it begins
 INTERVAL = 0.02
@@ -95,7 +97,7 @@ def _tick() -> float | None:
             return INTERVAL
         _Wish.work = None
         if work.state == "done" and thing is None:
-            bpy.data.meshes.remove(work.result.mesh)
+            remove([work.result.mesh])
         elif work.state == "done":
             finish(thing, work)
             with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
@@ -105,8 +107,9 @@ def _tick() -> float | None:
     return INTERVAL
 
 
-def stop() -> None:
-    """Gives up what is under way."""
+@persistent
+def stop(*_: Any) -> None:
+    """Gives up what is under way; so it is when another file is read."""
     if _Wish.work is not None:
         _Wish.work.cancel()
     _Wish.work = _Wish.do = None
@@ -114,3 +117,10 @@ def stop() -> None:
         bpy.app.timers.unregister(_tick)
 
 
+def register() -> None:
+    bpy.app.handlers.load_pre.append(stop)
+
+
+def unregister() -> None:
+    bpy.app.handlers.load_pre.remove(stop)
+    stop()

@@ -1,9 +1,10 @@
-"""Where objects are, and who sees them."""
+"""Where objects are, who sees them, and how what did not get ready goes."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Iterable
 
+import bpy
 from mathutils import Matrix
 
 NEARLY = 1e-5  # of the largest number of a matrix
@@ -46,3 +47,16 @@ def hide(thing: Any) -> None:
     except RuntimeError:  # another scene is seen by now
         pass
     thing.hide_render = True
+
+
+def remove(things: Iterable[Any]) -> None:
+    """Removes what is still there of data-blocks that did not get ready: an undo, another file or a
+    user may have removed some before, and Blender ends where it is told to remove one twice."""
+    bpy.data.batch_remove([thing for thing in things if _is_there(thing)])
+
+
+def _is_there(thing: Any) -> bool:
+    try:
+        return bool(thing.name)
+    except ReferenceError:
+        return False

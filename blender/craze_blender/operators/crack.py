@@ -8,6 +8,7 @@ import bpy
 
 from .. import cracked, mesh_in, panel_recipe, process, runs
 from ..work import Steps
+from ..world import remove
 from .base import EngineOperator
 from .recipe_options import WithRecipe
 
@@ -70,7 +71,7 @@ class CRAZE_OT_crack(WithRecipe, EngineOperator, bpy.types.Operator):
             done = True
         finally:
             if not done:
-                bpy.data.batch_remove(meshes)
+                remove(meshes)
         for warning in dict.fromkeys(made.warnings + made.report["warnings"]):
             self.report({"WARNING"}, f"craze: {warning}")
         found = made.report["cracks"]

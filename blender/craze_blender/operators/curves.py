@@ -10,7 +10,7 @@ import numpy as np
 from .. import cracked, process, runs
 from ..settings import GAP
 from ..work import Problem, Steps
-from ..world import link_beside, placed
+from ..world import link_beside, placed, remove
 from .base import OfCracked
 
 STEP = 2000  # edges looked at at a step
@@ -98,7 +98,7 @@ class CRAZE_OT_curves(OfCracked, bpy.types.Operator):
             done = True
         finally:
             if not done:
-                bpy.data.curves.remove(curve)
+                remove([curve])
         return f"{len(curve.splines)} lines"
 
 

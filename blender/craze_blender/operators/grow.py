@@ -12,6 +12,7 @@ import numpy as np
 from .. import cracked, growth_nodes, layers, process, runs, settings, table
 from ..weights import own_action
 from ..work import Problem, Steps
+from ..world import remove
 from .base import OfCracked
 
 STAGES = 32  # as the command's --stages
@@ -65,7 +66,7 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
             done = True
         finally:
             if not done:
-                bpy.data.meshes.remove(made.mesh)
+                remove([made.mesh])
         cracked.set_post(thing, made.post)
         if method == "KEYS":
             return f"{stages} stages in {frames} frames"
@@ -96,7 +97,7 @@ def _key(made: runs.Made, times: list[float], start: int, frames: int) -> Iterat
             if curve.data_path.startswith('key_blocks["growth '):
                 _straight(curve)
     finally:
-        bpy.data.objects.remove(double)
+        remove([double])
 
 
 def _slide(thing: Any, shut: np.ndarray, start: int, frames: int) -> None:

@@ -11,7 +11,7 @@ from mathutils import Matrix, Vector
 
 from .. import cracked, layers, mesh_out, process, runs, weights
 from ..work import Problem, Steps, last
-from ..world import hide, placed
+from ..world import hide, placed, remove
 from .base import OfCracked
 
 DENSITY = 2000.0  # kg/m³, about that of clay, plaster and glaze; only ratios count for the look
@@ -55,7 +55,7 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
                 warnings = solid.warnings
                 bodies = [_Body(row[0], row[1:], mesh) for row, mesh in zip(solid.solids, made)]
             finally:
-                bpy.data.meshes.remove(solid.mesh)
+                remove([solid.mesh])
         else:
             if "fragment" not in thing.data.attributes:
                 raise Problem("the object has no attribute \"fragment\"")
@@ -114,8 +114,7 @@ def _parts(thing: Any, mesh: Any) -> Steps:
         done = True
     finally:
         if not done:
-            for part in made:
-                bpy.data.meshes.remove(part)
+            remove(made)
     return made
 
 
@@ -143,7 +142,7 @@ def _gathered(scene: Any, thing: Any, bodies: list[_Body], rigid: bool) -> Itera
     finally:
         if not done:
             made = [body.object for body in bodies if body.object is not None]
-            bpy.data.batch_remove([collection, *made, *(body.mesh for body in bodies)])
+            remove([collection, *made, *(body.mesh for body in bodies)])
 
 
 def _moved(by: Any) -> Any:

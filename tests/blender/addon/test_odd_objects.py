@@ -12,7 +12,7 @@ import meshes
 import numpy as np
 from cracking import Cracking, get, places
 
-from craze_blender import cracked, process
+from craze_blender import cracked, live, process
 from craze_blender.operators.crack import CRAZE_OT_crack
 from craze_blender.work import Work
 
@@ -174,6 +174,16 @@ post = { gap = 0.1, wall = 0.05 }
             meshes.activate(whole)
             with self.assertRaisesRegex(RuntimeError, "there are no cracks"):
                 operator()
+
+    def test_another_file_ends_what_follows_the_sliders(self):
+        thing = self.crack(meshes.link(meshes.grid(8)))
+        live._Wish.do, live._Wish.thing = "crack", thing.name
+        live._Wish.work = work = live.start(thing, "crack", bpy.context.scene)
+        work.advance(0.0)
+        bpy.ops.wm.read_homefile(use_factory_startup=True)
+        self.assertIsNone(live._Wish.do)
+        self.assertIsNone(live._Wish.work)
+        self.assertEqual(work.state, "cancelled")
 
     def test_a_wrong_context_is_said(self):
         bpy.context.view_layer.objects.active = None

@@ -83,4 +83,4 @@ def run(module):
         print(f"Ran {len(tests)} tests, {len(failed)} failed", flush=True)
         os._exit(3 if failed or not tests else 0)
 
-    bpy.app.timers.register(step, first_interval=1.0)
+    bpy.app.timers.register(step, first_interval=1.0, persistent=True)
