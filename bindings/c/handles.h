@@ -73,6 +73,7 @@ struct craze_job {
   craze_opened opened = nullptr;
   void* opened_user = nullptr;
   std::optional<craze::Result> result;
+  std::optional<craze::PostParameters> post;  // as asked of the result, where not of its run
   std::optional<craze::Result> rougher;  // of the same run, its cracks as rough as last asked for
   std::shared_ptr<const craze::SourceFile> cracked_source;  // of what the result was made of
 };
@@ -87,4 +88,5 @@ struct craze_opening {
 struct craze_maps {
   std::vector<craze::Map> maps;
   std::vector<std::string> names, warnings;
+  std::string description;
 };

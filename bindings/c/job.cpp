@@ -123,6 +123,7 @@ craze_status craze_job_run(craze_job* job, craze_error* error) {
     const Recipe recipe =
         with_named_nodes(job->recipe, *job->mesh, job->source ? job->source->scene.get() : nullptr);
     job->result = crack({job->mesh, job->textures, "mesh"}, recipe, options, context.get());
+    job->post.reset();
     job->rougher.reset();
     pieces.tell();
     job->cracked_source = job->source;

@@ -1,6 +1,7 @@
 // Maps of a run.
 #include "callback_context.h"
 #include "craze/products/maps/bake_surface.h"
+#include "craze/products/maps/map_description.h"
 #include "craze/products/maps/tile_textures.h"
 #include "guard.h"
 #include "handles.h"
@@ -23,11 +24,18 @@ std::vector<MapKind> kinds_of(const char* names, bool of_tile = false) {
   return kinds;
 }
 
-std::unique_ptr<craze_maps> new_maps(std::vector<Map> maps, std::vector<std::string> warnings) {
+std::unique_ptr<craze_maps> new_maps(
+    std::vector<Map> maps, std::vector<std::string> warnings,
+    const nlohmann::ordered_json& more = nlohmann::ordered_json::object()) {
   auto made = std::make_unique<craze_maps>();
   made->maps = std::move(maps);
   made->warnings = std::move(warnings);
-  for (const Map& map : made->maps) made->names.push_back(map_name(map.header));
+  nlohmann::ordered_json described = nlohmann::ordered_json::array();
+  for (const Map& map : made->maps) {
+    made->names.push_back(map_name(map.header));
+    described.push_back(map_json(map.header, MapFormat::exr));
+  }
+  made->description = maps_text(MapFormat::exr, more, described);
   return made;
 }
 
@@ -72,11 +80,12 @@ craze_maps* craze_job_texture(const craze_job* job, const char* period, int32_t 
     options.green_up = green_up != 0;
     TileTextures::check(options);
     const CallbackContext context(*job);
-    const TileTextures made(job->recipe, read_tile_size(period), context.get());
+    const TileSize tile = read_tile_size(period);
+    const TileTextures made(job->recipe, tile, context.get());
     std::vector<Map> maps;
     MapsInMemory sink(maps);
     made.bake(options, sink, context.get());
-    return new_maps(std::move(maps), made.tile().report.warnings).release();
+    return new_maps(std::move(maps), made.tile().report.warnings, tile_json(made, tile)).release();
   });
 }
 
@@ -112,6 +121,10 @@ craze_status craze_maps_range(const craze_maps* maps, int64_t i, double low[3], 
       high[k] = ids ? largest : map.header.high[k];
     }
   });
+}
+
+const char* craze_maps_description(const craze_maps* maps) {
+  return maps ? maps->description.c_str() : nullptr;
 }
 
 const char* craze_maps_warning(const craze_maps* maps, int64_t i) {

@@ -100,10 +100,10 @@ PostParameters unopened_post(const Result& result) {
   return post;
 }
 
-/// [post] as a text changes that of the run.
-PostParameters changed_post(const Result& result, const char* text) {
+/// [post] as a text changes that of a job's result.
+PostParameters changed_post(const craze_job& job, const char* text) {
   Recipe asked;
-  asked.post = asked_post(result);
+  asked.post = job.post ? *job.post : asked_post(*job.result);
   Recipe changed = read_recipe(text, "post", asked);
   const PostParameters post = changed.post;
   changed.post = asked.post;
@@ -222,7 +222,7 @@ craze_opening* craze_job_open_post(craze_job* job, const char* text, craze_error
   return guarded(error, [&] {
     const Result& result = result_of(job);
     require(text, "text");
-    const Result made = made_with(*job, result, changed_post(result, text));
+    const Result made = made_with(*job, result, changed_post(*job, text));
     craze_opening* opening = new_opening(job, made, made.report().recipe.post);
     const std::vector<std::string>& known = result.report().warnings;
     for (const std::string& warning : made.report().warnings) {
@@ -238,10 +238,11 @@ craze_job* craze_job_with_post(craze_job* job, const char* text, craze_error* er
   return guarded(error, [&] {
     const Result& result = result_of(job);
     require(text, "text");
-    const PostParameters post = changed_post(result, text);
+    const PostParameters post = changed_post(*job, text);
     Result made = made_with(*job, result, post);
     auto changed = std::make_unique<craze_job>(*job);
     changed->recipe.post = post;
+    changed->post = post;
     changed->result = std::move(made);
     return changed.release();
   });

@@ -24,10 +24,11 @@ def register() -> None:
     operators.register()
     for cls in panel.CLASSES:
         bpy.utils.register_class(cls)
+    live.register()
 
 
 def unregister() -> None:
-    live.stop()
+    live.unregister()
     process.stop()
     for cls in reversed(panel.CLASSES):
         bpy.utils.unregister_class(cls)

@@ -10,7 +10,8 @@ import numpy as np
 
 from . import mesh_in, mesh_out
 from .runs import POST, Made, Order
-from .work import Problem
+from .work import Problem, Steps
+from .world import hide, link_beside
 
 
 def is_cracked(thing: Any) -> bool:
@@ -21,21 +22,21 @@ def group_names(thing: Any) -> list[str]:
     return [group.name for group in thing.vertex_groups]
 
 
-def new_object(context: Any, thing: Any, made: Made, order: Order) -> Any:
+def new_object(context: Any, scene: Any, thing: Any, made: Made, order: Order) -> Any:
     """A copy of an object that has the cracked mesh, beside it in its collections, active; the
-    object itself is hidden."""
+    object itself, of `scene`, is hidden."""
     new = thing.copy()
     new.name = f"{thing.name} cracked"
     adopt(new, made, order)
-    for collection in thing.users_collection:
-        collection.objects.link(new)
-    for other in context.selected_objects:
-        other.select_set(False)
-    thing.hide_set(True)
-    thing.hide_render = True
-    new.select_set(True)
-    context.view_layer.objects.active = new
+    link_beside(context, scene, new, thing)
+    hide(thing)
     return new
+
+
+def free(thing: Any) -> Steps:
+    """Waits until an object can have another mesh."""
+    while thing.mode == "EDIT":
+        yield "waiting until Edit Mode is left"
 
 
 def adopt(thing: Any, made: Made, order: Order) -> None:
@@ -86,6 +87,13 @@ def order_of(thing: Any) -> Order:
         recipe=json.loads(thing.craze.recipe),
         run=thing.craze.run,
     )
+
+
+def set_post(thing: Any, post: dict[str, Any]) -> None:
+    """Its cracks are open so."""
+    recipe = json.loads(thing.craze.recipe)
+    recipe["post"] = post
+    thing.craze.recipe = json.dumps(recipe)
 
 
 def post_of(thing: Any) -> dict[str, Any]:

@@ -8,9 +8,11 @@ import time
 from typing import Any
 
 import bpy
+from bpy.app.handlers import persistent
 
 from . import cracked, panel_recipe, process, runs, table
 from .work import Work
+from .world import remove
 
 PAUSE = 0.15  # seconds without a change before it begins
 INTERVAL = 0.02
@@ -54,13 +56,11 @@ def start(thing: Any, do: str, scene: Any) -> Work:
     return Work(engine, runs.crack(engine, order, name))
 
 
-def finish(thing: Any, work: Work, scene: Any) -> None:
+def finish(thing: Any, work: Work) -> None:
     """Gives the object what came of it."""
     cracked.replace_mesh(thing, work.result)
     if not work.result.report:
-        recipe = json.loads(thing.craze.recipe)
-        recipe["post"].update(_shown_post(panel_recipe.recipe_of(scene.craze, list)))
-        thing.craze.recipe = json.dumps(recipe)
+        cracked.set_post(thing, work.result.post)
 
 
 def _shown_post(recipe: dict[str, Any]) -> dict[str, Any]:
@@ -84,16 +84,22 @@ def _tick() -> float | None:
         if not cracked.is_cracked(thing):
             _Wish.do = None
             return None
+        if thing.mode == "EDIT":
+            return INTERVAL  # as long as it is, it keeps its mesh
         pause = 0.0 if _Wish.do == "open" else PAUSE
         if time.monotonic() - _Wish.since >= pause:
             _Wish.work = start(thing, _Wish.do, bpy.context.scene)
             _Wish.do = None
         return INTERVAL
     if work.advance(SLICE):
-        _Wish.work = None
         thing = bpy.data.objects.get(_Wish.thing)
-        if work.state == "done" and thing is not None:
-            finish(thing, work, bpy.context.scene)
+        if work.state == "done" and thing is not None and thing.mode == "EDIT":
+            return INTERVAL
+        _Wish.work = None
+        if work.state == "done" and thing is None:
+            remove([work.result.mesh])
+        elif work.state == "done":
+            finish(thing, work)
             with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
                 bpy.ops.ed.undo_push(message="Craze")
         elif work.state == "failed":
@@ -101,8 +107,9 @@ def _tick() -> float | None:
     return INTERVAL
 
 
-def stop() -> None:
-    """Gives up what is under way."""
+@persistent
+def stop(*_: Any) -> None:
+    """Gives up what is under way; so it is when another file is read."""
     if _Wish.work is not None:
         _Wish.work.cancel()
     _Wish.work = _Wish.do = None
@@ -110,3 +117,10 @@ def stop() -> None:
         bpy.app.timers.unregister(_tick)
 
 
+def register() -> None:
+    bpy.app.handlers.load_pre.append(stop)
+
+
+def unregister() -> None:
+    bpy.app.handlers.load_pre.remove(stop)
+    stop()

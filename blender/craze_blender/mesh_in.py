@@ -8,9 +8,11 @@ import bpy
 import numpy as np
 
 from . import layers
+from .work import Problem
 
 # Modifiers that go on working on the cracked mesh; all others are applied before.
 KEPT_MODIFIERS = {"ARMATURE"}
+LEAST_SCALE = 1e-4  # of an axis, over the largest: less would be lost in six digits
 
 
 def modifiers_to_apply(thing: Any) -> list[Any]:
@@ -49,14 +51,15 @@ def _evaluated(context: Any, thing: Any) -> Any:
 def stretch_of(matrix: Any) -> np.ndarray:
     """(3, 3) symmetric: what an object's matrix does to shapes, turning and moving left out, to
     six digits: more a matrix of float32 does not hold, so a turned object cracks as one that is
-    not. A mirrored object cracks as it is modelled.
+    not. A mirrored object cracks as it is modelled. Raises Problem where it leaves no volume: there
+    is no way back from such a shape.
     """
     linear = np.array(matrix.to_3x3(), np.float64)
     _, size, right = np.linalg.svd(linear)
     stretch = right.T @ np.diag(size) @ right
     largest = float(size.max())
-    if largest == 0:
-        return np.eye(3)
+    if not np.isfinite(size).all() or size.min() < LEAST_SCALE * largest or largest == 0:
+        raise Problem("the object is scaled to nothing, or nearly so, along an axis")
     digits = 5 - int(np.floor(np.log10(largest)))
     rounded = np.round(stretch, digits)
     return (rounded + rounded.T) / 2

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import layers, weights
 from .nodes import new_material
+from .world import remove
 
 WALL = "crack_wall"  # as the engine calls the material of side walls
 WALL_COLOUR = (0.02, 0.015, 0.01, 1.0)
@@ -68,7 +69,7 @@ def _new_mesh(name: str) -> Iterator[Any]:
         ready = True
     finally:
         if not ready:
-            bpy.data.meshes.remove(mesh)
+            remove([mesh])
 
 
 def build(
@@ -143,7 +144,7 @@ def _finish(
             yield from weights.write_group(double, group, mixed)
         yield from weights.carry_keys(source, double, of["POINT"], co)
     finally:
-        bpy.data.objects.remove(double)
+        remove([double])
 
 
 def _changed(

@@ -6,6 +6,7 @@ A crash, or lack of memory, ends that process alone; the next request starts ano
 from __future__ import annotations
 
 import atexit
+import contextlib
 import json
 import os
 import shutil
@@ -180,11 +181,19 @@ class Engine:
                 except OSError:
                     pass  # it is gone: whoever listens to it says so
             time.sleep(0.01)
-        if request.state == "running":
-            request.end("cancelled")
-            self._ended = request.process
-            if request.process is not None:
-                request.process.kill()
+        if request.state != "running":
+            return
+        waits = any(
+            r.number < request.number and r.process is request.process for r in self.pending()
+        )
+        request.end("cancelled")
+        if waits or request.process is None:
+            return  # it never begins
+        self._ended = request.process
+        request.process.kill()
+        for name in ("mesh", "out"):
+            with contextlib.suppress(OSError):  # it came so far, or not
+                os.remove(request.message.get(name, ""))
 
     def stop(self) -> None:
         """Ends the process and removes its files."""

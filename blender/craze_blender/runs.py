@@ -40,7 +40,8 @@ class Order:
 @dataclass
 class Made:
     """A cracked mesh. `report` is {} where nothing was cracked anew; `grown` has (n, 3) at each time
-    that was asked for; `solids` (k, 4) of fragments that are closed: volume, and centre of mass."""
+    that was asked for; `solids` (k, 4) of fragments that are closed: volume, and centre of mass;
+    `post` how the cracks are open, as the recipe says it, where they were opened anew."""
 
     mesh: Any
     run: str
@@ -48,6 +49,7 @@ class Made:
     warnings: list[str]
     grown: list[np.ndarray] = field(default_factory=list)
     solids: np.ndarray | None = None
+    post: dict[str, Any] = field(default_factory=dict)
 
 
 def crack(engine: Engine, order: Order, name: str) -> Steps:
@@ -85,9 +87,9 @@ def grow(
     return (yield from _build(order, name, (yield from _groups(order)), reply))
 
 
-def lines(engine: Engine, order: Order) -> Steps:
-    """The arrays of the cracks as lines."""
-    reply = yield from _of_run(engine, order, "lines")
+def lines(engine: Engine, order: Order, post: dict[str, Any]) -> Steps:
+    """The arrays of the cracks as lines, rough where `post` says so."""
+    reply = yield from _of_run(engine, order, "lines", post=post)
     return (yield from last(arrays_in(reply)))
 
 
@@ -146,7 +148,9 @@ def _build(order: Order, name: str, read: list[np.ndarray], reply: dict[str, Any
     mesh, lost = yield from last(mesh_out.build(order.mesh, read, order.groups, name, arrays))
     if lost:
         warnings.append("not carried over: " + ", ".join(lost))
-    return Made(mesh, order.run, reply.get("report", {}), warnings, grown, solids)
+    return Made(
+        mesh, order.run, reply.get("report", {}), warnings, grown, solids, reply.get("post", {})
+    )
 
 
 def _named_by(
@@ -154,7 +158,7 @@ def _named_by(
 ) -> dict[str, Any]:
     """Adds the attributes and pictures that the recipe names."""
     text = order.recipe if isinstance(order.recipe, str) else _json(order.recipe)
-    if isinstance(order.recipe, str) and order.recipe.endswith((".toml", ".json")):
+    if isinstance(order.recipe, str) and order.recipe.lower().endswith((".toml", ".json")):
         try:
             with open(order.recipe, encoding="utf-8") as file:
                 text = file.read()
@@ -163,7 +167,7 @@ def _named_by(
     text += _json(order.settings)
 
     def named(name: str) -> bool:
-        return f'"{name}"' in text or f"'{name}'" in text
+        return _json(name) in text or f'"{name}"' in text or f"'{name}'" in text
 
     attributes = []
     for name in dict.fromkeys([*groups, *(a.name for a in order.mesh.attributes)]):

@@ -88,5 +88,15 @@ def carry_keys(source: Any, target: Any, of: layers.Maps, co: np.ndarray) -> Ite
     for block, new in zip(keys.key_blocks, made.key_blocks):
         if block.relative_key is not None:
             new.relative_key = made.key_blocks[block.relative_key.name]
-    if keys.animation_data is not None and keys.animation_data.action is not None:
-        made.animation_data_create().action = keys.animation_data.action
+    if keys.animation_data is not None:
+        animation = made.animation_data_create()
+        animation.action = keys.animation_data.action
+        own_action(animation)
+        for driver in keys.animation_data.drivers:
+            animation.drivers.from_existing(src_driver=driver)
+
+
+def own_action(animation: Any) -> None:
+    """An action that others have too becomes one of its own."""
+    if animation.action is not None and animation.action.users > 1:
+        animation.action = animation.action.copy()

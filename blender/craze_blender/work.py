@@ -1,7 +1,7 @@
 """Long work in short steps, so that Blender's main thread is never held for long.
 
-Work is a generator: it yields None after a step of its own, or a Request that it waits for, and
-returns what came of it.
+Work is a generator: it yields None after a step of its own, a Request or, as a text, what else it
+waits for, and returns what came of it.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ class Work:
         self._engine = engine
         self._steps = steps
         self.request: Request | None = None
+        self._waits = ""
         self.state = "running"
         self.result: Any = None
         self.error = ""
@@ -37,7 +38,9 @@ class Work:
             if self.request is not None and self.request.state == "running":
                 return False
             try:
-                self.request = next(self._steps)
+                reached = next(self._steps)
+                self._waits = reached if isinstance(reached, str) else ""
+                self.request = None if self._waits else reached
             except StopIteration as e:
                 self.state, self.result = "done", e.value
             except Problem as e:
@@ -50,7 +53,7 @@ class Work:
             except Exception as e:  # noqa: BLE001 - one sentence in Blender, never a traceback
                 self.state = "failed"
                 self.error = f"a fault of the add-on: {type(e).__name__}: {e}"
-            if time.perf_counter() >= end:
+            if self._waits or time.perf_counter() >= end:
                 break
         return self.state != "running"
 
@@ -71,7 +74,7 @@ class Work:
     def says(self) -> tuple[str, float | None]:
         """What it is at, and how far, 0 … 1 or None."""
         if self.request is None:
-            return "Blender", None
+            return self._waits or "Blender", None
         phase, fraction, cracks, _ = self.request.progress
         return (f"{phase}, {cracks} cracks" if cracks else phase), fraction
 

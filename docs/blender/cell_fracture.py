@@ -164,6 +164,6 @@ def row(name, tool, path):
 
 
 if __name__ == "__main__":
-    file = sys.argv[sys.argv.index("--") + 1]
+    file = os.path.abspath(sys.argv[sys.argv.index("--") + 1])
     for title, function in (("craze", craze), ("Cell Fracture", cell_fracture)):
         row(title, function, file)

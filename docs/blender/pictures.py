@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import scenes  # noqa: E402
 
 FOLDER, *WANTED = sys.argv[sys.argv.index("--") + 1 :]
-FOLDER = Path(FOLDER)
+FOLDER = Path(FOLDER).resolve()
 bpy.context.preferences.view.show_splash = False
 
 

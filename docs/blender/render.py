@@ -2,6 +2,7 @@
 scenes.py. Cycles, a sun, a grey sky and ground."""
 
 import math
+import os
 import sys
 from pathlib import Path
 
@@ -60,6 +61,7 @@ def render(path):
 
 
 name, file = sys.argv[sys.argv.index("--") + 1 :]
+file = os.path.abspath(file)
 scenes.empty()
 scenes.SCENES[name]()
 place, target, height = VIEWS[name]

@@ -4,6 +4,7 @@ SCENE is mud, vase, glass, wall, floor or lines. The add-on is installed, or its
 """
 
 import math
+import os
 import sys
 
 import bmesh
@@ -159,6 +160,8 @@ def empty():
 
 if __name__ == "__main__" and "--" in sys.argv:
     scene, file = sys.argv[sys.argv.index("--") + 1 :]
+    if scene not in SCENES:
+        sys.exit(f"no scene {scene}: there are {', '.join(SCENES)}")
     empty()
     SCENES[scene]()
-    bpy.ops.wm.save_as_mainfile(filepath=file)
+    bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath(file))

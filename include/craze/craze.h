@@ -322,6 +322,9 @@ CRAZE_API craze_status craze_maps_array(const craze_maps* maps, int64_t i, craze
  * of its columns: the ranges of craze crack --maps. */
 CRAZE_API craze_status craze_maps_range(const craze_maps* maps, int64_t i, double low[3],
                                         double high[3], craze_error* error);
+/* What the command writes as maps.json beside these maps as .exr, a text that lives as long as they
+ * do; NULL without maps. */
+CRAZE_API const char* craze_maps_description(const craze_maps* maps);
 /* A tileable set of textures (docs/textures.md): cracks a flat torus by the job's recipe and bakes
  * its maps, "base_color" and "roughness" among them. The job needs no mesh, and a run that it has
  * stays. `period`: the side, "2" in the tile's own unit or a length such as "40cm". `names`: NULL:

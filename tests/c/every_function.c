@@ -230,6 +230,8 @@ static void maps_are_baked(craze_job* job) {
   EXPECT(craze_maps_name(NULL, 0) == NULL);
   EXPECT(craze_maps_array(maps, 1, &map, NULL) == CRAZE_OK);
   EXPECT(map.rows == 32 * 32 && map.columns == 3 && map.type == CRAZE_FLOAT32);
+  EXPECT(strstr(craze_maps_description(maps), "\"file\": \"normal.exr\"") != NULL);
+  EXPECT(craze_maps_description(NULL) == NULL);
   EXPECT(craze_maps_warning(maps, 0) == NULL);
   EXPECT(craze_maps_warning(NULL, 0) == NULL);
   EXPECT_ERROR(craze_maps_array(maps, 2, &map, e), CRAZE_USAGE);
@@ -264,6 +266,7 @@ static void a_tile_is_baked(void) {
   EXPECT(strcmp(craze_maps_name(maps, 1), "mask") == 0);
   EXPECT(craze_maps_array(maps, 0, &map, NULL) == CRAZE_OK);
   EXPECT(map.rows == 16 * 16 && map.columns == 3);
+  EXPECT(strstr(craze_maps_description(maps), "\"side\": 0.4,") != NULL);
   craze_maps_free(maps);
   EXPECT_ERROR(craze_job_texture(job, "0", 16, NULL, 1, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_job_texture(job, "3%", 16, NULL, 1, e), CRAZE_USAGE);

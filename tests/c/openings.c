@@ -54,6 +54,11 @@ static void a_finished_job_gets_another_post(craze_job* job) {
   craze_job* rough = craze_job_with_post(job, "[post]\nroughness = 0.01", NULL);
   EXPECT(rough != NULL);
   EXPECT(line_points(rough) > line_points(job));
+  craze_opening* own = craze_job_open_post(rough, "", NULL);
+  craze_opening* same = craze_job_open_post(job, "[post]\nroughness = 0.01", NULL);
+  EXPECT(craze_opening_vertex_count(own) == craze_opening_vertex_count(same));
+  craze_opening_free(own);
+  craze_opening_free(same);
   EXPECT_ERROR(craze_job_with_post(job, "[layer]\nspacing = 0.3", e), CRAZE_USAGE);
   EXPECT_ERROR(craze_job_with_post(job, NULL, e), CRAZE_USAGE);
   EXPECT_ERROR(craze_job_with_post(NULL, "", e), CRAZE_USAGE);

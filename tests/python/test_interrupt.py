@@ -77,6 +77,22 @@ class Progress(Case):
         outer = craze.crack(plate(), "mud", 7, max_cracks=12, progress=progress, **KEEP)
         self.assert_same(outer.mesh, inner[0])
 
+    def test_it_cannot_ask_the_run_that_it_is_told_about(self):
+        """Which would wait for itself; it may ask another."""
+        other, asked = cracked(), []
+
+        def ask(*_):
+            if asked:
+                asked[0].opened(gap=0.2)
+
+        result = craze.crack(plate(), "mud", max_cracks=12, progress=ask, **KEEP)
+        asked.append(other)
+        result.opened(gap=0.1)
+        asked[:] = [result]
+        self.assert_error("busy", "usage", result.opened, gap=0.3)
+        asked.clear()
+        self.assertGreater(len(result.opened(gap=0.3).vertices), 0)
+
     def test_a_product_that_was_stopped_can_be_asked_for_again(self):
         stop = []
 

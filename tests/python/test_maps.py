@@ -1,5 +1,6 @@
 """Maps from Python."""
 
+import json
 import unittest
 
 import numpy as np
@@ -57,6 +58,21 @@ class Maps(Case):
         self.assertEqual(flat.max(), 0)
         self.assertGreater(curled.max(), 0)
 
+    def test_the_description_has_a_file_for_each_map(self):
+        maps = cracked().bake(24, ["normal", "crack"], "down")
+        described = json.loads(maps.description)
+        self.assertEqual(described["format"], "exr")
+        for name, said in zip(maps, described["maps"]):
+            self.assertEqual((said["file"], said["map"]), (f"{name}.exr", name))
+            self.assertEqual(said["size"], [24, 24])
+        self.assertEqual(described["maps"][0]["green"], "down")
+        self.assertEqual(described["maps"][1]["range"][1], maps["crack"].max())
+
+    def test_what_maps_do_not_show_is_said(self):
+        whole = craze.crack(plate(), "mud", seed=7, max_cracks=0, **KEEP)
+        with self.assertWarnsRegex(UserWarning, "no cracks"):
+            whole.bake(16, ["mask"])
+
     def test_wrong_wishes_are_refused_with_a_reason(self):
         result = cracked()
         for wish in (
@@ -93,6 +109,11 @@ class Textures(Case):
         small = craze.texture("mud", 24, "40cm", ["height"], seed=3)["height"]
         self.assertLess(wide.min(), 0)
         np.testing.assert_allclose(small, wide / 100, rtol=1e-5, atol=1e-7)
+
+    def test_the_description_says_what_the_tile_is(self):
+        maps = craze.texture("mud", 24, "40cm", ["mask"], seed=3)
+        tile = json.loads(maps.description)["tile"]
+        self.assertEqual((tile["side"], tile["seed"]), (0.4, 3))
 
     def test_seeds_differ_and_repeat(self):
         first, again, other = (

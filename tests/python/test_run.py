@@ -155,6 +155,28 @@ class Products(Case):
         self.assert_error("roughnes", "usage", self.result.opened, roughnes=0.01)
         self.assert_error("roughness", "usage", self.result.opened, roughness=-1)
 
+    def test_a_result_with_another_post_is_that_of_a_run_that_had_it(self):
+        """Lines, maps, recipe and file; the result itself stays as it is."""
+        post = {"gap_width": 0.02, "curl": 0.5, "roughness": 0.01}
+        first = cracked()
+        before = first.recipe
+        changed = first.with_post(**post)
+        run = cracked(**{f"post.{key}": value for key, value in post.items()})
+        self.assertEqual(changed.recipe, run.recipe)
+        self.assertGreater(changed.recipe["post"]["gap"], 0)
+        np.testing.assert_array_equal(changed.lines.points, run.lines.points)
+        height, wanted = (r.bake(24, ["height"])["height"] for r in (changed, run))
+        np.testing.assert_array_equal(height, wanted)
+        self.assert_same(changed.opened(), run.opened())
+        self.assertEqual(first.recipe, before)
+        self.assertLess(len(first.lines.points), len(changed.lines.points))
+
+    def test_the_recipe_of_a_run_makes_the_run_again(self):
+        first = cracked(**{"layer.spacing": "20%", "post.gap": 0.1})
+        again = craze.crack(plate(), first.recipe, max_cracks=12)
+        self.assertEqual(again.recipe, first.recipe)
+        self.assert_same(again.opened(), first.opened())
+
     def test_solid_fragments_have_the_mass_that_numpy_finds(self):
         solids = self.result.fragments(thickness=0.1)
         self.assertEqual(len(solids), len(self.result.fragments()))

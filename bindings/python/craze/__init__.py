@@ -13,6 +13,7 @@ from typing import Any
 
 from ._library import Error, call, text_of
 from ._lines import Lines
+from ._maps import Maps
 from ._mesh import Mesh, read, shape
 from ._run import Result, crack
 from ._statistics import stats
@@ -23,6 +24,7 @@ __version__: str = call("craze_version").decode()
 __all__ = [
     "Error",
     "Lines",
+    "Maps",
     "Mesh",
     "Result",
     "__version__",

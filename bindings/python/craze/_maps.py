@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Iterable
+import warnings
+from typing import Any, Dict, Iterable
 
 import numpy as np
 import numpy.typing as npt
@@ -30,9 +31,22 @@ def green_up(green: Any) -> int:
     return GREEN[green]
 
 
-def arrays(handle: Handle) -> dict[str, npt.NDArray[np.float32]]:
-    """Copies of all maps by name: (size, size), or (size, size, 3)."""
-    result = {}
+class Maps(Dict[str, npt.NDArray[np.float32]]):
+    """Maps by name: (size, size), or (size, size, 3), float32.
+
+    Attributes
+    ----------
+    description : what each of them is, the text of maps.json (docs/maps.md) as the command writes it
+        beside them with --map-format exr
+    """
+
+    description: str = ""
+
+
+def maps_of(handle: Handle) -> Maps:
+    """Copies of all maps; what could not be done as asked is a UserWarning of the caller's caller."""
+    result = Maps()
+    result.description = call("craze_maps_description", handle.pointer).decode("utf-8", "replace")
     for i, name in enumerate(listed("craze_maps_name", handle.pointer)):
         array = CArray()
         call("craze_maps_array", handle.pointer, i, ctypes.byref(array))
@@ -40,4 +54,6 @@ def arrays(handle: Handle) -> dict[str, npt.NDArray[np.float32]]:
         numbers = (ctypes.c_float * (array.rows * array.columns)).from_address(array.data)
         shape = (size, size) if array.columns == 1 else (size, size, array.columns)
         result[name] = np.array(numbers, dtype=np.float32).reshape(shape)
+    for sentence in listed("craze_maps_warning", handle.pointer):
+        warnings.warn(sentence, UserWarning, stacklevel=3)
     return result

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 import os
 from typing import Any, Iterable, Mapping
@@ -13,7 +14,7 @@ from . import _arrays
 from ._library import PIXEL_TYPES, Error, Handle, address, call, listed, real, shown, text_bytes
 from ._library import text_of, whole
 from ._lines import Lines
-from ._maps import arrays, green_up, name_list
+from ._maps import Maps, green_up, maps_of, name_list
 from ._mesh import Mesh
 from ._recipe import set_job, value_text
 from ._watch import ProgressCallback, check_progress, run, watched
@@ -61,6 +62,13 @@ class Result:
         report: dict[str, Any] = self._report
         return report
 
+    @property
+    def recipe(self) -> dict[str, Any]:
+        """The whole recipe of the run, seed included, as crack() takes it: lengths are numbers, in
+        model units, and post.gap is what a gap_width came to."""
+        recipe: dict[str, Any] = copy.deepcopy(self._summary["recipe"])
+        return recipe
+
     def stats(self) -> dict[str, Any]:
         """The statistics of the pattern; {} where nothing cracked."""
         result: dict[str, Any] = run(
@@ -101,6 +109,21 @@ class Result:
         opening = self._open(gap, wall, curl, thickness, core, post)
         return [*self._summary["warnings"], *listed("craze_opening_warning", opening.pointer)]
 
+    def with_post(
+        self,
+        gap: float | None = None,
+        wall: float | str | None = None,
+        curl: float | None = None,
+        thickness: float | str | None = None,
+        core: bool | None = None,
+        **post: Any,
+    ) -> Result:
+        """This run as it would be had its recipe said so, arguments as of opened(): for its lines,
+        maps, statistics, report and file. Nothing is cracked again. Raises Error."""
+        text = _post_text(gap, wall, curl, thickness, core, post)
+        job = self._product("craze_job_with_post", "craze_job_free", text)
+        return Result(job, self._progress)
+
     def positions_at(
         self,
         t: float,
@@ -139,7 +162,7 @@ class Result:
         green: str = "up",
         gap: float | None = None,
         wall: float | None = None,
-    ) -> dict[str, npt.NDArray[np.float32]]:
+    ) -> Maps:
         """Maps of the cracks for the mesh's own UVs, size × size texels, the first row that of the
         top (v = 1): (size, size) or (size, size, 3).
 
@@ -149,7 +172,8 @@ class Result:
             as curl and late width are
 
         Keys are the names; "SET_mask" where the materials need a texture set each, "mask.1001" where
-        the UVs have tiles. Raises Error, also where the mesh has no UVs.
+        the UVs have tiles. Raises Error, also where the mesh has no UVs. What could not be done as
+        asked is a UserWarning.
         """
         post = self._summary["recipe"]["post"]
         handle = self._product(
@@ -161,7 +185,7 @@ class Result:
             real(post["gap"] if gap is None else gap, "gap"),
             real(post["wall"] if wall is None else wall, "wall"),
         )
-        return arrays(handle)
+        return maps_of(handle)
 
     def write(self, path: str | bytes | os.PathLike[Any]) -> None:
         """Writes the mesh, opened as the recipe's [post] says: .ply .obj .stl .glb .usda, the same
@@ -183,24 +207,36 @@ class Result:
         core: bool | None,
         others: Mapping[str, Any],
     ) -> Handle:
-        post = dict(others)
-        for name, value in (("gap", gap), ("wall", wall), ("curl", curl), ("thickness", thickness)):
-            if value is None:
-                continue
-            if isinstance(value, str) and name in ("wall", "thickness"):
-                post[name] = value  # a length with a unit
-                continue
-            post[name] = real(value, name)
-            if not math.isfinite(post[name]):
-                raise Error(f"wrong {name} ({shown(value)}): must be finite", "request")
-        if core is not None:
-            post["core"] = bool(core)
-        text = value_text("the opening", {"post": post})
+        text = _post_text(gap, wall, curl, thickness, core, others)
         kept = self._opening
         if kept is None or kept[0] != text:
             kept = (text, self._product("craze_job_open_post", "craze_opening_free", text))
             self._opening = kept
         return kept[1]
+
+
+def _post_text(
+    gap: float | None,
+    wall: float | str | None,
+    curl: float | None,
+    thickness: float | str | None,
+    core: bool | None,
+    others: Mapping[str, Any],
+) -> bytes:
+    """What is given of [post], as craze.h takes it."""
+    post = dict(others)
+    for name, value in (("gap", gap), ("wall", wall), ("curl", curl), ("thickness", thickness)):
+        if value is None:
+            continue
+        if isinstance(value, str) and name in ("wall", "thickness"):
+            post[name] = value  # a length with a unit
+            continue
+        post[name] = real(value, name)
+        if not math.isfinite(post[name]):
+            raise Error(f"wrong {name} ({shown(value)}): must be finite", "request")
+    if core is not None:
+        post["core"] = bool(core)
+    return value_text("the opening", {"post": post})
 
 
 def _set_texture(job: Handle, name: str, picture: Any) -> None:

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 import os
-import warnings
 from typing import Any, Iterable, Mapping
 
-import numpy as np
-import numpy.typing as npt
-
-from ._library import Error, Handle, call, listed, shown, text_bytes, whole
-from ._maps import arrays, green_up, name_list
+from ._library import Error, Handle, call, shown, text_bytes, whole
+from ._maps import Maps, green_up, maps_of, name_list
 from ._recipe import set_job
 from ._watch import ProgressCallback, check_progress, run
 
@@ -25,7 +21,7 @@ def texture(
     threads: int = 0,
     progress: ProgressCallback | None = None,
     **settings: Any,
-) -> dict[str, npt.NDArray[np.float32]]:
+) -> Maps:
     """A tileable set of textures of a recipe, size × size texels, the first row that of the top
     (v = 1): (size, size) or (size, size, 3). What craze texture writes with --map-format exr.
 
@@ -51,9 +47,7 @@ def texture(
         green_up(green),
         take=lambda pointer: Handle(pointer, "craze_maps_free"),
     )
-    for sentence in listed("craze_maps_warning", handle.pointer):
-        warnings.warn(sentence, stacklevel=2)
-    return arrays(handle)
+    return maps_of(handle)
 
 
 def _side(period: Any) -> str:

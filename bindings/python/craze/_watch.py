@@ -22,6 +22,17 @@ def check_progress(progress: Any) -> None:
         raise Error(f"wrong progress ({shown(progress)}): must be a function")
 
 
+class _Waiting(threading.local):
+    """Locks of the calls that this thread waits for: while it runs a progress function it is still
+    waiting, and would wait for itself."""
+
+    def __init__(self) -> None:
+        self.locks: list[threading.Lock] = []
+
+
+_waiting = _Waiting()
+
+
 class _Call:
     """What the caller's thread and that of the call tell each other."""
 
@@ -61,14 +72,18 @@ def watched(
 
     The thread that calls this waits, hears Ctrl-C and runs `progress`. What either raises stops the
     body and comes out at once; a body that has not stopped by then goes on unseen until it asks its
-    callback, unless `finish` is wanted. `lock` is held as long as the body runs.
+    callback, unless `finish` is wanted. `lock` is held as long as the body runs. Raises Error where
+    `progress` asks for what waits for it.
     """
+    if lock is not None and any(held is lock for held in _waiting.locks):
+        raise Error("busy (progress): it cannot ask the run that it is told about")
+    taken = lock or threading.Lock()
     watch = _Call()
     callback = PROGRESS(watch.report)
 
     def work() -> None:
         try:
-            with lock or threading.Lock():
+            with taken:
                 if not watch.stop:
                     watch.result = body(callback)
         except BaseException as e:  # noqa: BLE001 - raised again in the caller's thread
@@ -79,6 +94,7 @@ def watched(
     # No daemon: the interpreter must not end under a callback.
     thread = threading.Thread(target=work, name="craze", daemon=False)
     thread.start()
+    _waiting.locks.append(taken)
     try:
         while not watch.done.wait(_INTERVAL):
             watch.tell(progress)
@@ -87,6 +103,8 @@ def watched(
         watch.stop = True
         watch.done.wait(None if finish else _PATIENCE)
         raise
+    finally:
+        _waiting.locks.pop()
     if watch.error is not None:
         try:
             raise watch.error

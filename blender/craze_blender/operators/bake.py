@@ -53,6 +53,8 @@ class CRAZE_OT_bake(OfCracked, bpy.types.Operator):
         uv = order.mesh.uv_layers.active.name
         for trouble in cracked_material.wire(thing, uv, images, reply["sets"], far / 4):
             self.report({"WARNING"}, f"craze: {trouble}")
+        for warning in reply["warnings"]:
+            self.report({"WARNING"}, f"craze: {warning}")
         return f"{len(images)} images of {size} × {size} pixels"
 
 

@@ -36,6 +36,7 @@ class EngineOperator:
         if bpy.app.background:
             return self.execute(context)
         self._work = Work(process.engine(), self.steps(context))
+        self._work.advance(0.0)  # of the object that is active now
         manager = context.window_manager
         self._timer = manager.event_timer_add(INTERVAL, window=context.window)
         manager.progress_begin(0, 100)
@@ -94,4 +95,7 @@ class OfCracked(EngineOperator):
     def poll(cls, context: Any) -> bool:
         from ..cracked import is_cracked
 
-        return is_cracked(context.active_object) and context.mode == "OBJECT"
+        if is_cracked(context.active_object) and context.mode == "OBJECT":
+            return True
+        cls.poll_message_set("craze: select an object that Crack has made, in Object Mode")
+        return False

@@ -8,6 +8,7 @@ import bpy
 
 from .. import cracked, mesh_in, panel_recipe, process, runs
 from ..work import Steps
+from ..world import remove
 from .base import EngineOperator
 from .recipe_options import WithRecipe
 
@@ -29,10 +30,13 @@ class CRAZE_OT_crack(WithRecipe, EngineOperator, bpy.types.Operator):
     @classmethod
     def poll(cls, context: Any) -> bool:
         thing = context.active_object
-        return thing is not None and thing.type == "MESH" and context.mode == "OBJECT"
+        if thing is not None and thing.type == "MESH" and context.mode == "OBJECT":
+            return True
+        cls.poll_message_set("craze: select a mesh, in Object Mode")
+        return False
 
     def steps(self, context: Any) -> Steps:
-        thing = context.active_object
+        thing, scene = context.active_object, context.scene
         engine = process.engine()
         again = cracked.is_cracked(thing)
         if again:
@@ -50,19 +54,24 @@ class CRAZE_OT_crack(WithRecipe, EngineOperator, bpy.types.Operator):
         order.settings = self.given_settings(context.scene)
         if not again:
             order.mesh = mesh_in.snapshot(context, thing)
+        in_place = self._in_place(scene.craze)
+        meshes = [] if again else [order.mesh]  # to be removed where it does not get ready
         done = False
         try:
             made = yield from runs.crack(engine, order, f"{thing.name} cracked")
+            meshes.append(made.mesh)
+            if again or in_place:
+                yield from cracked.free(thing)
+            if again:
+                cracked.replace_mesh(thing, made)
+            elif in_place:
+                cracked.adopt(thing, made, order)
+            else:
+                cracked.new_object(context, scene, thing, made, order)
             done = True
         finally:
-            if not done and not again:
-                bpy.data.meshes.remove(order.mesh)
-        if again:
-            cracked.replace_mesh(thing, made)
-        elif self._in_place(context.scene.craze):
-            cracked.adopt(thing, made, order)
-        else:
-            cracked.new_object(context, thing, made, order)
+            if not done:
+                remove(meshes)
         for warning in dict.fromkeys(made.warnings + made.report["warnings"]):
             self.report({"WARNING"}, f"craze: {warning}")
         found = made.report["cracks"]

@@ -9,7 +9,8 @@ import numpy as np
 
 from .. import cracked, process, runs
 from ..settings import GAP
-from ..work import Steps
+from ..work import Problem, Steps
+from ..world import link_beside, placed, remove
 from .base import OfCracked
 
 STEP = 2000  # edges looked at at a step
@@ -66,13 +67,18 @@ class CRAZE_OT_curves(OfCracked, bpy.types.Operator):
     bl_label = "Curves"
 
     def steps(self, context: Any) -> Steps:
-        thing = context.active_object
-        arrays = yield from runs.lines(process.engine(), cracked.order_of(thing))
+        thing, scene = context.active_object, context.scene
+        post = cracked.post_of(thing)
+        arrays = yield from runs.lines(process.engine(), cracked.order_of(thing), post)
+        if not len(arrays["edges"]):
+            raise Problem("there are no cracks")
+        plain, sheared = placed(thing.matrix_world)
+        turn = np.array(sheared.to_3x3(), np.float32).T
         curve = bpy.data.curves.new(f"{thing.name} lines", "CURVE")
         done = False
         try:
             curve.dimensions = "3D"
-            curve.bevel_depth = cracked.post_of(thing)["gap"] or GAP
+            curve.bevel_depth = post["gap"] or GAP
             for line in chains(arrays["edges"], arrays["event"]):
                 yield
                 if line is None:
@@ -81,23 +87,18 @@ class CRAZE_OT_curves(OfCracked, bpy.types.Operator):
                 spline = curve.splines.new("POLY")
                 spline.points.add(len(points) - 1)
                 places = np.ones((len(points), 4), np.float32)
-                places[:, :3] = arrays["points"][points]
+                places[:, :3] = arrays["points"][points] @ turn
                 spline.points.foreach_set("co", places.reshape(-1))
                 spline.points.foreach_set(
                     "radius", radii(points, along, arrays["width"]).astype(np.float32)
                 )
+            new = bpy.data.objects.new(curve.name, curve)
+            new.matrix_world = plain
+            link_beside(context, scene, new, thing)
             done = True
         finally:
             if not done:
-                bpy.data.curves.remove(curve)
-        new = bpy.data.objects.new(curve.name, curve)
-        for collection in thing.users_collection:
-            collection.objects.link(new)
-        new.matrix_world = thing.matrix_world
-        for other in context.selected_objects:
-            other.select_set(False)
-        new.select_set(True)
-        context.view_layer.objects.active = new
+                remove([curve])
         return f"{len(curve.splines)} lines"
 
 

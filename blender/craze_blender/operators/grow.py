@@ -3,13 +3,16 @@ nodes with a keyed slider."""
 
 from __future__ import annotations
 
+import json
 from typing import Any, Iterator
 
 import bpy
 import numpy as np
 
-from .. import cracked, growth_nodes, layers, process, runs, settings
+from .. import cracked, growth_nodes, layers, process, runs, settings, table
+from ..weights import own_action
 from ..work import Problem, Steps
+from ..world import remove
 from .base import OfCracked
 
 STAGES = 32  # as the command's --stages
@@ -29,6 +32,13 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
         name="As", description="What opens the cracks", items=settings.GROWTH, options={"SKIP_SAVE"}
     )
 
+    gap: bpy.props.FloatProperty(
+        name="Gap",
+        description="How far the cracks open, times their displacement; 0: as they are open",
+        min=0.0,
+        options={"SKIP_SAVE"},
+    )
+
     def steps(self, context: Any) -> Steps:
         thing = context.active_object
         said = self.properties.is_property_set
@@ -37,14 +47,27 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
         stages = min(frames, STAGES) if method == "KEYS" else 1
         times = [i / stages for i in range(stages)]
         post = cracked.post_of(thing)
-        if post["gap"] == 0 and post["curl"] == 0:
-            raise Problem("the cracks are shut, so nothing would move: give them a gap first")
+        if not json.loads(thing.craze.report)["cracks"]["events"]:
+            raise Problem("there are no cracks to grow")
+        if self.gap > 0:
+            post.update(gap=table.as_typed(self.gap), gap_width=0)
+        if not post["gap"] and not post["gap_width"] and not post["curl"]:
+            raise Problem("the cracks are shut, so nothing would move: raise Gap in the panel first, "
+                          "or say grow(gap=0.1)")  # fmt: skip
         order = cracked.order_of(thing)
         made = yield from runs.grow(process.engine(), order, thing.data.name, times, post)
         start = context.scene.frame_current
-        if method == "KEYS":
-            yield from _key(made, times, start, frames)
-        cracked.replace_mesh(thing, made)
+        done = False
+        try:
+            if method == "KEYS":
+                yield from _key(made, times, start, frames)
+            yield from cracked.free(thing)
+            cracked.replace_mesh(thing, made)
+            done = True
+        finally:
+            if not done:
+                remove([made.mesh])
+        cracked.set_post(thing, made.post)
         if method == "KEYS":
             return f"{stages} stages in {frames} frames"
         _slide(thing, made.grown[0], start, frames)
@@ -53,9 +76,8 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
 
 def _key(made: runs.Made, times: list[float], start: int, frames: int) -> Iterator[None]:
     """A key per stage, 1 at its time and 0 at those beside it; at the end the shape is the basis,
-    which is the finished one. The mesh is removed if it does not get ready."""
+    which is the finished one."""
     double = bpy.data.objects.new(made.mesh.name, made.mesh)  # keys are made through an object
-    done = False
     try:
         if made.mesh.shape_keys is None:
             double.shape_key_add(name="Basis", from_mix=False)
@@ -72,12 +94,10 @@ def _key(made: runs.Made, times: list[float], start: int, frames: int) -> Iterat
             _keyed(key, 1.0, middle)
             _keyed(key, 0.0, middle + step)
         for curve in _curves(made.mesh.shape_keys.animation_data.action):
-            _straight(curve)
-        done = True
+            if curve.data_path.startswith('key_blocks["growth '):
+                _straight(curve)
     finally:
-        bpy.data.objects.remove(double)
-        if not done:
-            bpy.data.meshes.remove(made.mesh)
+        remove([double])
 
 
 def _slide(thing: Any, shut: np.ndarray, start: int, frames: int) -> None:
@@ -96,6 +116,7 @@ def _slide(thing: Any, shut: np.ndarray, start: int, frames: int) -> None:
     slider = growth_nodes.slider_of(modifier.node_group)
     path = f'modifiers["{modifier.name}"]["{slider}"]'
     thing.animation_data_create()
+    own_action(thing.animation_data)
     if thing.animation_data.action is not None:
         for curve in _curves(thing.animation_data.action):
             if curve.data_path == path:

@@ -7,10 +7,11 @@ from typing import Any, Iterator
 
 import bpy
 import numpy as np
-from mathutils import Matrix
+from mathutils import Matrix, Vector
 
 from .. import cracked, layers, mesh_out, process, runs, weights
 from ..work import Problem, Steps, last
+from ..world import hide, placed, remove
 from .base import OfCracked
 
 DENSITY = 2000.0  # kg/m³, about that of clay, plaster and glaze; only ratios count for the look
@@ -42,29 +43,29 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
     )
 
     def steps(self, context: Any) -> Steps:
-        thing = context.active_object
+        thing, scene = context.active_object, context.scene
         said = self.properties.is_property_set
         thickness = self.thickness if said("thickness") else context.scene.craze.thickness
         core = self.core if said("core") else context.scene.craze.core
         if thickness > 0:
             solid = yield from _solid(thing, thickness, core)
             try:
+                cracked.keep_materials(thing.data, solid.mesh)
                 made = yield from _parts(thing, solid.mesh)
                 warnings = solid.warnings
                 bodies = [_Body(row[0], row[1:], mesh) for row, mesh in zip(solid.solids, made)]
             finally:
-                bpy.data.meshes.remove(solid.mesh)
+                remove([solid.mesh])
         else:
             if "fragment" not in thing.data.attributes:
                 raise Problem("the object has no attribute \"fragment\"")
             made = yield from _parts(thing, thing.data)
             warnings = []
             bodies = [_Body(0.0, _middle(mesh), mesh) for mesh in made]
-        yield from _gathered(context, thing, bodies, self.rigid_body)
-        thing.hide_set(True)
-        thing.hide_render = True
+        yield from _gathered(scene, thing, bodies, self.rigid_body)
+        hide(thing)
         for warning in warnings:
-            self.report({"WARNING"}, warning)
+            self.report({"WARNING"}, f"craze: {warning}")
         return f"{len(made)} pieces"
 
 
@@ -88,9 +89,7 @@ def _solid(thing: Any, thickness: float, core: bool) -> Steps:
     """runs.Made of the object's run, its fragments closed by the engine."""
     post = {**cracked.post_of(thing), "thickness": thickness, "core": core}
     order = cracked.order_of(thing)
-    made = yield from runs.open_again(process.engine(), order, thing.data.name, post)
-    cracked.keep_materials(thing.data, made.mesh)
-    return made
+    return (yield from runs.open_again(process.engine(), order, thing.data.name, post))
 
 
 def _parts(thing: Any, mesh: Any) -> Steps:
@@ -115,15 +114,15 @@ def _parts(thing: Any, mesh: Any) -> Steps:
         done = True
     finally:
         if not done:
-            for part in made:
-                bpy.data.meshes.remove(part)
+            remove(made)
     return made
 
 
-def _gathered(context: Any, thing: Any, bodies: list[_Body], rigid: bool) -> Iterator[None]:
+def _gathered(scene: Any, thing: Any, bodies: list[_Body], rigid: bool) -> Iterator[None]:
     """Makes the objects of bodies, their origins at the centres, in a new collection; all are gone
     again if they do not get ready."""
     collection = bpy.data.collections.new(f"{thing.name} pieces")
+    plain, sheared = placed(thing.matrix_world)
     done = False
     try:
         for body in bodies:
@@ -131,22 +130,22 @@ def _gathered(context: Any, thing: Any, bodies: list[_Body], rigid: bool) -> Ite
             for group in thing.vertex_groups:
                 if group.name not in piece.vertex_groups:
                     piece.vertex_groups.new(name=group.name)
-            body.mesh.transform(_moved(-body.centre), shape_keys=True)
-            piece.matrix_world = thing.matrix_world @ _moved(body.centre)
+            body.mesh.transform(sheared @ _moved(-body.centre), shape_keys=True)
+            piece.matrix_world = plain @ _moved(sheared @ Vector(body.centre.tolist()))
             collection.objects.link(piece)
             yield
-        context.scene.collection.children.link(collection)
+        scene.collection.children.link(collection)
         if rigid:
             yield
-            yield from _make_rigid(context, bodies)
+            yield from _make_rigid(scene, bodies)
         done = True
     finally:
         if not done:
             made = [body.object for body in bodies if body.object is not None]
-            bpy.data.batch_remove([collection, *made, *(body.mesh for body in bodies)])
+            remove([collection, *made, *(body.mesh for body in bodies)])
 
 
-def _moved(by: np.ndarray) -> Any:
+def _moved(by: Any) -> Any:
     return Matrix.Translation([float(x) for x in by])
 
 
@@ -156,10 +155,10 @@ def _middle(mesh: Any) -> np.ndarray:
     return co.mean(axis=0, dtype=np.float64).astype(np.float32)
 
 
-def _make_rigid(context: Any, bodies: list[_Body]) -> Iterator[None]:
-    scene = context.scene
+def _make_rigid(scene: Any, bodies: list[_Body]) -> Iterator[None]:
     if scene.rigidbody_world is None:
-        bpy.ops.rigidbody.world_add()
+        with bpy.context.temp_override(scene=scene):
+            bpy.ops.rigidbody.world_add()
         yield
     world = scene.rigidbody_world
     if world.collection is None:

@@ -7,7 +7,9 @@ from typing import Any
 
 import bpy
 
-from .. import cracked, panel_recipe, table
+from .. import cracked, mesh_in, panel_recipe, table
+from ..work import Problem
+from .recipe_options import unit_of
 
 
 class CRAZE_OT_export_recipe(bpy.types.Operator):
@@ -25,12 +27,12 @@ class CRAZE_OT_export_recipe(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def execute(self, context: Any) -> set[str]:
-        thing = context.active_object
-        if cracked.is_cracked(thing):
-            recipe = json.loads(thing.craze.recipe)
-        else:
-            recipe = panel_recipe.recipe_of(context.scene.craze, list)
-        path = bpy.path.ensure_ext(bpy.path.abspath(self.filepath), ".toml")
+        try:
+            path = self._path()
+            recipe = _recipe(context)
+        except Problem as e:
+            self.report({"ERROR"}, f"craze: {e}")
+            return {"CANCELLED"}
         try:
             with open(path, "w", encoding="utf-8") as file:
                 file.write(table.toml(recipe))
@@ -39,6 +41,30 @@ class CRAZE_OT_export_recipe(bpy.types.Operator):
             return {"CANCELLED"}
         self.report({"INFO"}, path)
         return {"FINISHED"}
+
+    def _path(self) -> str:
+        if not self.filepath:
+            raise Problem("say where to write the recipe: filepath=")
+        if self.filepath.startswith("//") and not bpy.data.is_saved:
+            raise Problem(f"{self.filepath} is beside the file, which was never saved")
+        return bpy.path.ensure_ext(bpy.path.abspath(self.filepath), ".toml")
+
+
+def _recipe(context: Any) -> dict[str, Any]:
+    """That of the cracked object, or the panel's as *Crack* would take it for the active one."""
+    thing, panel = context.active_object, context.scene.craze
+    if cracked.is_cracked(thing):
+        recipe: dict[str, Any] = json.loads(thing.craze.recipe)
+        return recipe
+    place: Any = list
+    if thing is not None and thing.type == "MESH":
+        stretch = mesh_in.stretch_of(thing.matrix_world)
+        place = panel_recipe.to_engine(thing.matrix_world, stretch)
+    recipe = panel_recipe.recipe_of(panel, place)
+    unit = unit_of(context.scene)
+    if unit is not None:
+        table.put(recipe, "mesh.unit", unit)
+    return recipe
 
 
 CLASSES = [CRAZE_OT_export_recipe]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, Callable
 
 import bpy
@@ -18,6 +19,11 @@ def _presets(_: Any, __: Any) -> Any:
 
 
 _ITEMS = [(FROM_PANEL, "As in the panel", "")] + [(name, name, "") for name in table.PRESETS]
+
+
+def unit_of(scene: Any) -> str | None:
+    """The scene's, as mesh.unit has it; None: one without a name."""
+    return UNITS.get(round(scene.unit_settings.scale_length, 6))
 
 
 class WithRecipe:
@@ -55,8 +61,9 @@ class WithRecipe:
         if preset and self.recipe:
             raise Problem("give a preset or a recipe, not both")
         if self.recipe:
-            is_path = self.recipe.endswith((".toml", ".json"))
-            return (bpy.path.abspath(self.recipe) if is_path else self.recipe), not is_path
+            if not self.recipe.lower().endswith((".toml", ".json")):
+                return self.recipe, True
+            return os.path.abspath(bpy.path.abspath(self.recipe)), False
         if preset:
             return preset, False
         return panel_recipe.recipe_of(panel, place), False
@@ -68,7 +75,7 @@ class WithRecipe:
     def given_settings(self, scene: Any) -> dict[str, Any]:
         """What is said besides the recipe, and the scene's unit, for lengths such as 4mm."""
         keys: dict[str, Any] = {}
-        unit = UNITS.get(round(scene.unit_settings.scale_length, 6))
+        unit = unit_of(scene)
         if unit is not None:
             keys["mesh.unit"] = unit
         if self.seed >= 0:

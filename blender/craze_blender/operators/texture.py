@@ -10,6 +10,7 @@ import bpy
 
 from .. import assets, map_images, process, runs, table, tile_material
 from ..work import Problem, Steps
+from ..world import remove
 from .base import EngineOperator
 from .recipe_options import WithRecipe
 
@@ -82,7 +83,7 @@ class CRAZE_OT_texture(WithRecipe, EngineOperator, bpy.types.Operator):
         finally:
             shutil.rmtree(folder, ignore_errors=True)
             if not done:
-                bpy.data.batch_remove(made)
+                remove(made)
         for warning in tile.warnings:
             self.report({"WARNING"}, f"craze: {warning}")
         return f"{material.name}, {size} × {size} pixels: {where}"

@@ -84,6 +84,12 @@ class Run:
             arrays["solids"] = self._solids(mesh)
         return _with_loose(self.source, self.local, arrays)
 
+    def post(self, post: dict[str, Any]) -> dict[str, Any]:
+        """How cracks are open with `post`: a gap width is a gap, "1%" a number."""
+        assert self.result is not None
+        said: dict[str, Any] = self.result.with_post(**post).recipe["post"]
+        return said
+
     def _solids(self, mesh: craze.Mesh) -> np.ndarray:
         """(k, 4) of each fragment: its volume in the scene's unit, its centre of mass in the
         object's axes."""
@@ -100,9 +106,9 @@ class Run:
             for i, t in enumerate(times)
         }
 
-    def lines(self) -> dict[str, np.ndarray]:
+    def lines(self, post: dict[str, Any]) -> dict[str, np.ndarray]:
         assert self.result is not None
-        lines = self.result.lines
+        lines = self.result.with_post(**post).lines
         return {
             "points": self._turned_back(lines.points),
             "normal": np.asarray(lines.normal, np.float32),
@@ -113,17 +119,18 @@ class Run:
         }
 
     def bake(
-        self, size: int, maps: list[str] | None, gap: float, wall: float, folder: str,
+        self, size: int, maps: list[str] | None, post: dict[str, Any], folder: str,
         progress: Callable[..., None],
     ) -> dict[str, Any]:  # fmt: skip
         """Writes maps (docs/maps.md) of the active UV map to `folder`. Says of each of `files` its
         path, the `map`, its texture `set`, "" where there is one, the UDIM `tile`, 0 without, and
-        the `largest` of its numbers; and the `sets` that materials have by their index."""
+        the `largest` of its numbers; the `sets` that materials have by their index; `warnings`."""
         assert self.result is not None
-        baked = self.result.bake(size, maps, gap=gap, wall=wall)
+        with _heard() as said:
+            baked = self.result.with_post(**post).bake(size, maps)
         files = _written(baked, folder, progress)
         sets = list(dict.fromkeys(file["set"] for file in files if file["set"]))
-        return {"files": files, "sets": self._by_material(sets)}
+        return {"files": files, "sets": self._by_material(sets), "warnings": said}
 
     def _by_material(self, sets: list[str]) -> dict[int, str]:
         """Sets come in the order of the materials that faces have, one for each name."""
@@ -154,10 +161,21 @@ class Run:
         return local
 
 
+@contextmanager
+def _heard() -> Iterator[list[str]]:
+    """What the engine warns of meanwhile, in the list once that ends."""
+    sentences: list[str] = []
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        yield sentences
+    sentences += [str(w.message) for w in said]
+
+
 def _written(
-    maps: dict[str, np.ndarray], folder: str, progress: Callable[..., None]
+    maps: craze.Maps, folder: str, progress: Callable[..., None]
 ) -> list[dict[str, Any]]:
-    """Writes maps to files and says of each what bake() says; takes them out of the dict."""
+    """Writes maps to files, maps.json last, and says of each what bake() says; takes them out of
+    the dict."""
     os.makedirs(folder, exist_ok=True)
     files: list[dict[str, Any]] = []
     for name in list(maps):
@@ -175,6 +193,8 @@ def _written(
                 "largest": float(values.max()),
             }
         )
+    with open(os.path.join(folder, "maps.json"), "w", encoding="utf-8") as file:
+        file.write(maps.description)
     return files
 
 
@@ -247,21 +267,26 @@ class Runs:
     def open(
         self, run: str, post: dict[str, Any], out: str, progress: Callable[..., None]
     ) -> dict[str, Any]:
-        """Writes the opened mesh to the file `out`; {"lost": true} where the run is not kept."""
-        return self._made(run, out, lambda kept: kept.opened(post), post)
+        """Writes the opened mesh to the file `out` and says how it is open, `post` of its recipe;
+        {"lost": true} where the run is not kept."""
+        made = self._made(run, out, lambda kept: kept.opened(post), post)
+        return made if made.get("lost") else {**made, "post": self._kept[run].post(post)}
 
     def grow(
         self, run: str, times: list[float], post: dict[str, Any], out: str,
         progress: Callable[..., None],
     ) -> dict[str, Any]:  # fmt: skip
         """As open(), with positions at some times."""
-        return self._made(
+        made = self._made(
             run, out, lambda kept: {**kept.opened(post), **kept.positions(times, post)}, post
         )
+        return made if made.get("lost") else {**made, "post": self._kept[run].post(post)}
 
-    def lines(self, run: str, out: str, progress: Callable[..., None]) -> dict[str, Any]:
+    def lines(
+        self, run: str, post: dict[str, Any], out: str, progress: Callable[..., None]
+    ) -> dict[str, Any]:
         """Writes the cracks as lines to the file `out`."""
-        return self._made(run, out, lambda kept: kept.lines())
+        return self._made(run, out, lambda kept: kept.lines(post), post)
 
     def bake(
         self, run: str, size: int, maps: list[str] | None, post: dict[str, Any], folder: str,
@@ -271,7 +296,7 @@ class Runs:
         kept = self._find(run)
         if kept is None:
             return {"lost": True}
-        return kept.bake(size, maps, post["gap"], post["wall"], folder, progress)
+        return kept.bake(size, maps, post, folder, progress)
 
     def texture(
         self, recipe: Any, is_text: bool, settings: dict[str, Any], size: int, period: float,
@@ -279,14 +304,13 @@ class Runs:
     ) -> dict[str, Any]:  # fmt: skip
         """Writes the maps of a tile to `folder` and a preview to the file `out`."""
         with _as_file(recipe, os.path.dirname(out)) if is_text else nullcontext(recipe) as given:
-            with warnings.catch_warnings(record=True) as said:
-                warnings.simplefilter("always")
+            with _heard() as said:
                 maps = craze.texture(
                     given, size, period, list(TILE_MAPS), progress=progress, **settings
                 )
         np.savez(out, preview=tile_preview(maps))
         files = _written(maps, folder, progress)
-        return {"file": out, "files": files, "warnings": [str(w.message) for w in said]}
+        return {"file": out, "files": files, "warnings": said}
 
     def hello(self, progress: Callable[..., None]) -> dict[str, Any]:
         return {"version": craze.__version__}

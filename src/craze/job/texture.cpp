@@ -6,6 +6,7 @@
 #include "craze/job/tile_preview.h"
 #include "craze/material/material.h"
 #include "craze/products/maps/bake_surface.h"
+#include "craze/products/maps/map_description.h"
 #include "craze/products/maps/tile_textures.h"
 #include "craze/render/png.h"
 
@@ -32,23 +33,6 @@ void write_previews(const TileTextures& made, const TextureRequest& request,
   write("preview_sphere.png", tiled_sphere(maps[0], request.tile.side));
 }
 
-nlohmann::ordered_json describe(const TileTextures& made, const TextureRequest& request) {
-  nlohmann::ordered_json tile;
-  tile["side"] = request.tile.side;
-  tile["metres_per_unit"] = request.tile.metres_per_unit > 0
-                                ? nlohmann::ordered_json(request.tile.metres_per_unit)
-                                : nullptr;
-  tile["seed"] = made.tile().recipe.simulation.seed;
-  tile["material"] = made.tile().recipe.picture.material;
-  tile["gap"] = made.grooves().gap;
-  tile["wall"] = static_cast<double>(made.grooves().wall);
-  tile["pieces"] = made.tile().report.cracks.fragments;
-  tile["crack_length"] = made.tile().report.cracks.length;
-  nlohmann::ordered_json json;
-  json["tile"] = tile;
-  return json;
-}
-
 }  // namespace
 
 Report make_texture(const TextureRequest& request, const Context& context) {
@@ -59,7 +43,7 @@ Report make_texture(const TextureRequest& request, const Context& context) {
   MapFiles files(maps, {}, context);
   made.bake(maps.options, files, context);
   if (request.previews) write_previews(made, request, context);
-  files.write_description(describe(made, request));
+  files.write_description(tile_json(made, request.tile));
   return made.tile().report;
 }
 

@@ -1,5 +1,6 @@
 """Baked maps: images, and materials that show them."""
 
+import json
 import os
 import subprocess
 import tempfile
@@ -108,9 +109,31 @@ post = { gap = 0.05, wall = 0.03 }
             [COMMAND, "crack", given, "--recipe", recipe, "--quiet", "--maps", theirs,
              "--map-size", "32", "--map-format", "exr"], check=True,
         )  # fmt: skip
-        self.assertEqual({p.stem for p in ours.iterdir()}, MAPS)
+        self.assertEqual({p.name for p in ours.iterdir()}, {p.name for p in theirs.iterdir()})
+        self.assertEqual({p.stem for p in ours.iterdir()}, MAPS | {"maps"})
         for path in ours.iterdir():
             self.assertEqual(path.read_bytes(), (theirs / path.name).read_bytes(), path.name)
+
+    def test_how_cracks_are_open_by_now_is_what_is_baked(self):
+        new = self.crack(meshes.link(meshes.grid(8)))
+        flat = pixels(image_of(self.bake(size=32).data.materials[0], "height"))
+        recipe = json.loads(new.craze.recipe)
+        recipe["post"].update(gap=0.0, gap_width=0.05, curl=1.0, roughness=0.02)
+        new.craze.recipe = json.dumps(recipe)
+        height = pixels(image_of(self.bake(size=32).data.materials[0], "height"))
+        self.assertEqual(flat.max(), 0)
+        self.assertGreater(height.max(), 0)
+        self.assertLess(height.min(), 0)
+        rough = self.lines()
+        recipe["post"].update(roughness=0.0)
+        new.craze.recipe = json.dumps(recipe)
+        meshes.activate(new)
+        self.assertLess(self.lines(), rough)
+
+    def lines(self):
+        """How many points its cracks have as curves."""
+        self.assertEqual(bpy.ops.craze.curves(), {"FINISHED"})
+        return sum(len(s.points) for s in bpy.context.active_object.data.splines)
 
     def test_materials_are_copied_and_go_on_with_what_they_had(self):
         thing = meshes.link(meshes.grid(8))

@@ -142,7 +142,7 @@ class Operators(Cracking):
         before = [len(d) for d in (bpy.data.objects, bpy.data.meshes, bpy.data.collections)]
         for steps in (0, 2, 10, 15):
             bodies = [pieces._Body(0.0, np.zeros(3), meshes.grid(1)) for _ in range(8)]
-            going = pieces._gathered(bpy.context, new, bodies, True)
+            going = pieces._gathered(bpy.context.scene, new, bodies, True)
             for _ in range(steps):
                 next(going)
             going.close()

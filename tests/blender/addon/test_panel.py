@@ -3,14 +3,16 @@
 
 import contextlib
 import io
+import types
 
 import bpy
 import meshes
 from bpy_extras import view3d_utils
 from mathutils import Vector
-from window import check, click, press, view
+from window import check, click, drag, hover, press, view
 
 from craze_blender import panel, pictures, table
+from craze_blender.settings import GAP
 
 
 def scene():
@@ -87,15 +89,78 @@ def test_the_search_finds_keys_by_name_and_by_help():
     check(panel.found("no such thing") == [], "it finds what is not there")
 
 
+def show_tab():
+    """Opens the sidebar at the tab Craze; the sidebar."""
+    area = view()["area"]
+    area.spaces[0].show_region_ui = True
+    yield 0.5
+    sidebar = next(r for r in area.regions if r.type == "UI")
+    for _ in range(2):  # the first click may only bring the mouse there
+        click(sidebar.x + sidebar.width - 10, sidebar.y + sidebar.height - TAB)
+        yield 0.2
+    return sidebar
+
+
+def only_where(self, context):
+    """The panel Where in the place of the main one, without its fields: buttons where they are seen."""
+    panel.CRAZE_PT_where.draw(types.SimpleNamespace(layout=self.layout, _place=no_field), context)
+
+
+def no_field(*_):
+    pass
+
+
+def test_the_button_starts_weight_paint_and_what_is_painted_does_not_crack():
+    meshes.empty()
+    thing = meshes.link(meshes.grid(16, size=4.0))
+    main = panel.CRAZE_PT_main.draw
+    panel.CRAZE_PT_main.draw = only_where
+    try:
+        sidebar = yield from show_tab()
+        button = sidebar.x + 50, sidebar.y + sidebar.height - PAINT
+        hover(*button)
+        yield 0.2
+        click(*button)
+        yield 0.3
+    finally:
+        panel.CRAZE_PT_main.draw = main
+    check(thing.mode == "WEIGHT_PAINT", f"it is in {thing.mode}")
+    group = thing.vertex_groups["Cracks"]
+    check(all(group.weight(i) == 1 for i in range(17 * 17)), "it does not begin with 1 everywhere")
+    check(bpy.context.scene.craze.keys.where_attribute == "Cracks", "the recipe does not know it")
+    of = view()
+    region = of["area"].spaces[0].region_3d
+    region.view_perspective, region.view_distance = "ORTHO", 12.0
+    region.view_rotation, region.view_location = (1, 0, 0, 0), (0, 0, 0)
+    brush = bpy.context.tool_settings.unified_paint_settings
+    brush.weight, brush.size = 0.0, 60
+    yield 0.3
+    drag(seen(of, Vector((0, -1.9, 0))), seen(of, Vector((0, 1.9, 0))))
+    yield 0.3
+    with bpy.context.temp_override(**of):
+        bpy.ops.object.mode_set(mode="OBJECT")
+        left = [v.co for v in thing.data.vertices if group.weight(v.index) > 0]
+        painted = [v.co for v in thing.data.vertices
+                   if all((v.co - co).length > 0.4 for co in left)]  # fmt: skip
+        check(left and painted, f"painted {len(painted)}, left {len(left)}")
+        keys = bpy.context.scene.craze.keys
+        keys.post_gap = 0.0  # nothing moves
+        bpy.ops.craze.crack()
+        keys.post_gap, keys.where_attribute = GAP, ""
+    cracked = bpy.context.scene.objects["thing cracked"].data
+    check(len(cracked.vertices) > 17 * 17, "nothing cracked")
+    distance = cracked.attributes["crack_distance"].data
+    for co in painted:
+        near = [v.index for v in cracked.vertices if (v.co - co).length < 1e-6]
+        check(len(near) == 1 and distance[near[0]].value > 0, f"it cracked at {tuple(co)}: {near}")
+
+
 def test_the_panels_are_drawn_without_an_error():
     """For an object that was cracked and for one that was not; all that are drawn are seen by name."""
     meshes.empty()
     meshes.link(meshes.grid(8))
     area = view()["area"]
-    area.spaces[0].show_region_ui = True
-    yield 0.5
-    sidebar = next(r for r in area.regions if r.type == "UI")
-    click(sidebar.x + sidebar.width - 10, sidebar.y + sidebar.height - TAB)
+    yield from show_tab()
     drawn, old = set(), {cls: cls.draw for cls in panel.CLASSES}
 
     def drawing(cls):
@@ -125,3 +190,4 @@ def test_the_panels_are_drawn_without_an_error():
 
 
 TAB = 160  # pixels from the top of the sidebar to the fourth tab
+PAINT = 46  # to the button Paint of the panel Where

@@ -162,6 +162,19 @@ class Process(unittest.TestCase):
         following.finish()
         self.assertEqual(following.state, "done", following.error)
 
+    def test_one_that_waits_is_cancelled_and_the_one_at_work_goes_on(self):
+        thing = meshes.link(meshes.grid(60))
+        first = work(thing, HEAVY)
+        until_it_cracks(self, first)
+        waiting = work(thing, HEAVY)
+        while waiting.request is None:
+            waiting.advance(0.01)
+        cancel_within_a_second(self, waiting)
+        first.finish()
+        self.assertEqual(first.state, "done", first.error)
+        self.crack(recipe=LIGHT)  # the engine's turn comes after what was cancelled
+        self.assertEqual(os.listdir(process.engine().folder), [])
+
     def test_a_killed_engine_is_one_sentence_and_another_takes_over(self):
         thing = meshes.link(meshes.grid(150))
         going = work(thing, HEAVY)

@@ -109,7 +109,7 @@ class SameBytes(unittest.TestCase):
 
     def test_cracks_opened_otherwise_are_as_those_of_a_run(self):
         """What the panel says of how cracks are open needs no second run, and gives what one gives."""
-        from craze_blender import live
+        from craze_blender import cracked, live
 
         panel = bpy.context.scene.craze
         for preset, name, value in (
@@ -128,13 +128,14 @@ class SameBytes(unittest.TestCase):
                 work = live.start(thing, "open", bpy.context.scene)
                 work.finish()
                 self.assertEqual(work.state, "done", work.error)
-                live.finish(thing, work, bpy.context.scene)
-                opened = places(thing.data)
+                live.finish(thing, work)
+                opened, said = places(thing.data), cracked.post_of(thing)
                 self.assertEqual(thing.craze.run, run)
                 self.assertFalse(np.array_equal(opened, first))
                 bpy.ops.craze.crack()
                 self.assertNotEqual(thing.craze.run, run)
                 np.testing.assert_array_equal(places(thing.data), opened)
+                self.assertEqual(cracked.post_of(thing), said)
                 setattr(panel.keys, f"post_{name}", 0.0)
         panel.preset, panel.keys.post_gap, panel.keys.layer_spacing = "mud", 0.1, 0.0
 

@@ -75,6 +75,22 @@ def test_cracking_is_one_undo_step():
     check(len(bpy.data.objects["thing cracked"].data.vertices) == cracked, "redo made another")
 
 
+def test_an_undo_meanwhile_leaves_what_it_leads_to():
+    scene(12)
+    thing = bpy.data.objects["thing"]
+    thing.location.x = 3
+    undo_push()
+    start(recipe=OPEN)
+    yield from until(lambda: process.engine().pending())
+    with bpy.context.temp_override(**view()):
+        bpy.ops.ed.undo()
+    yield from until(lambda: not process.engine().pending())
+    yield 0.5
+    check(names() == ["thing"], f"there is {names()}")
+    check(bpy.data.objects["thing"].location.x == 0, "the undo is lost")
+    check(len(bpy.data.meshes) == 1, f"there are {len(bpy.data.meshes)} meshes")
+
+
 class Times:
     """When the add-on was told to stop, and when the engine's request ended: the test itself looks
     only as often as the window is drawn."""

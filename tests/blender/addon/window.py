@@ -25,12 +25,25 @@ def press(key):
         of["window"].event_simulate(type=key, value=value, **place)
 
 
+def hover(x, y):
+    """The mouse goes to a place in the window."""
+    view()["window"].event_simulate(type="MOUSEMOVE", value="NOTHING", x=x, y=y)
+
+
 def click(x, y):
-    """The mouse goes to a place in the window, and clicks."""
+    """The mouse goes to a place, and clicks."""
+    drag((x, y), (x, y))
+
+
+def drag(start, end):
+    """The mouse goes from one place to another with its button down."""
     window = view()["window"]
-    window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=x, y=y)
-    for value in ("PRESS", "RELEASE"):
-        window.event_simulate(type="LEFTMOUSE", value=value, x=x, y=y)
+    hover(*start)
+    window.event_simulate(type="LEFTMOUSE", value="PRESS", x=start[0], y=start[1])
+    if end != start:
+        for i in range(1, 21):
+            hover(*(round(a + (b - a) * i / 20) for a, b in zip(start, end)))
+    window.event_simulate(type="LEFTMOUSE", value="RELEASE", x=end[0], y=end[1])
 
 
 class Failed(Exception):
@@ -70,4 +83,4 @@ def run(module):
         print(f"Ran {len(tests)} tests, {len(failed)} failed", flush=True)
         os._exit(3 if failed or not tests else 0)
 
-    bpy.app.timers.register(step, first_interval=1.0)
+    bpy.app.timers.register(step, first_interval=1.0, persistent=True)

@@ -8,14 +8,10 @@
 #include "craze/engine.h"
 #include "craze/job/maps/scene_uvs.h"
 #include "craze/maps.h"
+#include "craze/products/maps/map_description.h"
 #include "craze/surface_mesh.h"
 
 namespace craze {
-
-enum class MapFormat {
-  png,  ///< integers of 16 bits
-  exr,  ///< floats of 32 bits
-};
 
 struct MapsRequest {
   std::string folder;  ///< made if need be; empty: no maps

@@ -1,0 +1,62 @@
+"""Where objects are, who sees them, and how what did not get ready goes."""
+
+from __future__ import annotations
+
+from typing import Any, Iterable
+
+import bpy
+from mathutils import Matrix
+
+NEARLY = 1e-5  # of the largest number of a matrix
+
+
+def placed(matrix: Any) -> tuple[Any, Any]:
+    """Two matrices whose product is that of an object: what an object can have by itself, place,
+    turn and scale, and the rest, which its mesh has to have; that is none unless it is sheared, as
+    by a parent that is scaled."""
+    plain = Matrix.LocRotScale(*matrix.decompose())
+    largest = max(abs(x) for row in matrix for x in row)
+    apart = max(abs(a - b) for rows in zip(plain, matrix) for a, b in zip(*rows))
+    if apart <= NEARLY * largest:
+        return matrix, Matrix.Identity(4)
+    return plain, plain.inverted_safe() @ matrix
+
+
+def link_beside(context: Any, scene: Any, new: Any, thing: Any) -> None:
+    """Links an object where another one is, those collections left out that belong to other files,
+    and to the scene itself where it is in none then; selected alone and active where that is seen."""
+    for collection in thing.users_collection:
+        if collection.library is None and collection.override_library is None:
+            collection.objects.link(new)
+    if scene not in new.users_scene:
+        scene.collection.objects.link(new)
+    old = context.selected_objects
+    try:
+        new.select_set(True)
+    except RuntimeError:  # another scene is seen by now
+        return
+    for other in old:
+        other.select_set(False)
+    context.view_layer.objects.active = new
+
+
+def hide(thing: Any) -> None:
+    """From view and from renders."""
+    try:
+        thing.hide_set(True)
+    except RuntimeError:  # another scene is seen by now
+        pass
+    thing.hide_render = True
+
+
+def remove(things: Iterable[Any]) -> None:
+    """Removes what is still there of data-blocks that did not get ready: an undo, another file or a
+    user may have removed some before, and Blender ends where it is told to remove one twice."""
+    bpy.data.batch_remove([thing for thing in things if _is_there(thing)])
+
+
+def _is_there(thing: Any) -> bool:
+    try:
+        return bool(thing.name)
+    except ReferenceError:
+        return False
