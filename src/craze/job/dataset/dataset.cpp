@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "craze/base/progress_meter.h"
 #include "craze/base/version.h"
 #include "craze/error.h"
 #include "craze/io/bytes/sha256.h"
@@ -175,8 +176,13 @@ DatasetResult make_dataset(const PlanSource& source, const fs::path& folder, Sha
   claim_plan_folder(folder, source, "dataset", context);
   DatasetResult result{plan.shape.samples, plan.shape.shards()};
   for (std::uint64_t s = 0; s < result.shards; ++s) {
-    if (!shard.has(s) || read_mark(plan.shape, folder, s)) continue;
-    write_shard(plan, folder, s, context);
+    if (shard.has(s) && !read_mark(plan.shape, folder, s)) wanted.push_back(s);
+  }
+  const auto share = 1 / static_cast<double>(wanted.size());
+  for (const std::uint64_t s : wanted) {
+    const auto before = static_cast<double>(result.shards_made);
+    write_shard(plan, folder, s,
+                phase_part(context, "dataset", before * share, (before + 1) * share));
     ++result.shards_made;
   }
   for (std::uint64_t s = 0; s < result.shards; ++s) {
@@ -191,11 +197,13 @@ std::vector<std::string> verify_dataset(const fs::path& folder, const Context& c
   std::vector<std::string> faults;
   for (std::uint64_t s = 0; s < plan.shape.shards(); ++s) {
     context.check();
+  std::vector<std::uint64_t> wanted;
     context.report({"verify", static_cast<double>(s) / static_cast<double>(plan.shape.shards())});
     const ShardPaths paths = shard_paths(folder, s);
     const auto mark = read_mark(plan.shape, folder, s);
     const std::string name = paths.marker.stem().string();
     if (!mark) {
+  if (!wanted.empty()) context.report({"dataset", 1});
       faults.push_back("shard " + name + ": it is not there, or not whole");
     } else {
       ShardCheck(plan, folder, name, faults).run(paths, *mark);
@@ -218,6 +226,7 @@ RemadeSample remake_sample(const fs::path& folder, const std::string& id, const 
   if (read.ec != std::errc() || read.ptr != id.data() + id.size() || index >= plan.shape.samples) {
     throw Error(ErrorKind::usage, "no sample " + id, folder.string(),
                 fmt::format("they are 0 to {}", plan.shape.samples - 1));
+  context.report({"verify", 1});
   }
   RemadeSample remade{make_sample(plan, index, context), {}};
   std::map<std::string, std::string> held;

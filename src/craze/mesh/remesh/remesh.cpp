@@ -53,13 +53,18 @@ SurfaceMesh remesh(const SurfaceMesh& input, const RemeshOptions& options, const
     stage([&] { smooth(s, round == 0 ? first_shake : 0); });
     stage([&] { flip_edges(s); });
   }
-  if (options.period.is_given()) return flat_torus(s);
+  if (options.period.is_given()) {
+    progress.finish(s.mesh.face_slots());
+    return flat_torus(s);
+  }
   stage([&] {
     pull_vertices(s);
     approach_input(s);
   });
   progress.next_stage(s.mesh.face_slots());
-  return transfer_attributes(s, progress.stage());
+  SurfaceMesh made = transfer_attributes(s, progress.stage());
+  progress.finish(std::ssize(made.triangles));
+  return made;
 }
 
 }  // namespace craze
