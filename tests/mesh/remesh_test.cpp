@@ -286,6 +286,21 @@ TEST(Remesh, SaysHowFarItIsAndNeverGoesBack) {
   EXPECT_EQ(fractions.back(), 1);
 }
 
+TEST(Remesh, RefusesCoordinatesWithTooFewDigitsForItsEdges) {
+  SurfaceMesh plate = make_shape("plate?n=10");
+  const auto moved = [&](double far) {
+    SurfaceMesh mesh = plate;
+    for (Vec3& p : mesh.positions) p.x() += far;
+    return mesh;
+  };
+  EXPECT_THROW(remeshed(moved(1e15), 0.03), Error);
+  EXPECT_THROW(remeshed(moved(1e13), 0.016), Error);
+  const auto count = [&](double far) {
+    return static_cast<double>(remeshed(moved(far), 0.032).triangles.size());
+  };
+  EXPECT_NEAR(count(1e13) / count(0), 1, 0.05);
+}
+
 TEST(Remesh, RefusesTargetsThatAreNoLengthOrTooFine) {
   const SurfaceMesh plate = make_shape("plate?n=2");
   EXPECT_THROW(remeshed(plate, 0), Error);
