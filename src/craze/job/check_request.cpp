@@ -182,7 +182,7 @@ void check_request(const RunRequest& request) {
                 "no picture is asked for; give --picture, --frames or --video");
   }
   if (places.empty() && request.report.empty() && request.frames.empty()) {
-    throw Error(ErrorKind::usage, "nothing to write", "",
+    throw Error(ErrorKind::usage, "nothing to write", request.input,
                 "give -o FILE, or one of --lines, --picture, --frames, --video, --maps, --fields, "
                 "--report");
   }
