@@ -1,4 +1,5 @@
 // craze crack INPUT: grows cracks on a mesh and writes what was asked for.
+#include <filesystem>
 #include <memory>
 
 #include "app.h"
@@ -26,14 +27,18 @@ constexpr const char* standard_preset = "glaze";
 
 /// The preset or recipe file, else the defaults where keys are set by hand, else the standard
 /// preset; then --set in order, then --seed.
-Recipe build_recipe(const Options& options) {
+Recipe build_recipe(Options& options) {
   Recipe recipe;
   if (!options.preset.empty()) {
     recipe = read_preset(options.preset);
   } else if (options.recipe.empty() && options.settings.empty()) {
     recipe = read_preset(standard_preset);
   }
-  if (!options.recipe.empty()) recipe = read_recipe_file(options.recipe);
+  if (!options.recipe.empty()) {
+    recipe = read_recipe_file(options.recipe);
+    const std::filesystem::path folder = std::filesystem::path(options.recipe).parent_path();
+    options.request.textures = texture_folder(folder, recipe);
+  }
   for (const std::string& setting : options.settings) apply_set(recipe, setting);
   const std::string &material = options.choice.material, &up = options.choice.up;
   if (!material.empty()) apply_set(recipe, "picture.material=\"" + material + "\"");

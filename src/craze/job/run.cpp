@@ -9,7 +9,6 @@
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/gltf/scene/gltf_document.h"
 #include "craze/job/load_surface.h"
-#include "craze/job/load_textures.h"
 #include "craze/job/maps/made_uvs.h"
 #include "craze/job/maps/scene_uvs.h"
 #include "craze/job/material_looks.h"
@@ -58,7 +57,7 @@ Loaded load(const RunRequest& request, const Context& context) {
   loaded.beside.source = {request.input, std::move(file.looks), std::move(file.scene)};
   input.name = request.input;
   input.surface = std::make_shared<const SurfaceMesh>(std::move(file.mesh));
-  input.textures = load_textures(request.recipe, context);
+  input.textures = load_textures(request.recipe, request.textures, context);
   return loaded;
 }
 

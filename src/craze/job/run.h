@@ -6,6 +6,7 @@
 #include <string>
 
 #include "craze/context.h"
+#include "craze/job/load_textures.h"
 #include "craze/job/maps/write_maps.h"
 #include "craze/products/maps/pictures/crack_pictures.h"
 #include "craze/recipe.h"
@@ -19,6 +20,7 @@ struct RunRequest {
   std::string input;  ///< a file, or "shape:NAME?key=value&…"
   Recipe recipe;
   /// Crack events to stop after; unlike evolution.max_cracks, 0 means none: the initial state.
+  TextureFolder textures;  ///< of the recipe's file
   std::optional<std::int64_t> max_cracks;
 
   std::string output;   ///< the cracked mesh: .ply .obj .stl .glb .usda

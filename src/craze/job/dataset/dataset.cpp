@@ -18,8 +18,10 @@
 #include "craze/job/dataset/shards/coco.h"
 #include "craze/job/dataset/shards/croissant.h"
 #include "craze/job/dataset/shards/shard_files.h"
+#include "craze/job/load_textures.h"
 #include "craze/output/source_file.h"
 #include "craze/recipe/json_table.h"
+#include "craze/recipe/set_key.h"
 #include "craze/recipe/toml_text.h"
 
 namespace craze {
@@ -134,7 +136,21 @@ std::size_t offset_of(const std::string& text, const toml::source_position& plac
   return at;
 }
 
-/// Before hours of work: whether the meshes that samples may draw are there.
+/// Before hours of work: whether the pictures that samples may draw are there.
+void check_textures(const DatasetPlan& plan) {
+  const std::string recipe_prefix = "recipe.";
+  for (const PlanEntry& entry : plan.plan.entries()) {
+    if (!entry.key.starts_with(recipe_prefix) || !entry.key.ends_with("texture")) continue;
+    for (const PlanValue& value : extremes(entry.distribution)) {
+      Recipe recipe;
+      set_key(recipe, entry.key.substr(recipe_prefix.size()), plan_text(value), entry.where);
+      const TextureFolder beside = texture_folder(plan.source.folder, recipe);
+      for (const NamedTexture& texture : named_textures(recipe)) find_texture(texture, beside);
+    }
+  }
+}
+
+/// The same of meshes.
 void check_objects(const DatasetPlan& plan) {
   for (const PlanEntry& entry : plan.plan.entries()) {
     if (entry.key != "object.mesh") continue;
@@ -173,8 +189,10 @@ DatasetResult make_dataset(const PlanSource& source, const fs::path& folder, Sha
                            const Context& context) {
   const DatasetPlan plan(source);
   check_objects(plan);
+  check_textures(plan);
   claim_plan_folder(folder, source, "dataset", context);
   DatasetResult result{plan.shape.samples, plan.shape.shards()};
+  std::vector<std::uint64_t> wanted;
   for (std::uint64_t s = 0; s < result.shards; ++s) {
     if (shard.has(s) && !read_mark(plan.shape, folder, s)) wanted.push_back(s);
   }
@@ -185,6 +203,7 @@ DatasetResult make_dataset(const PlanSource& source, const fs::path& folder, Sha
                 phase_part(context, "dataset", before * share, (before + 1) * share));
     ++result.shards_made;
   }
+  if (!wanted.empty()) context.report({"dataset", 1});
   for (std::uint64_t s = 0; s < result.shards; ++s) {
     if (!read_mark(plan.shape, folder, s)) ++result.shards_left;
   }
@@ -197,18 +216,17 @@ std::vector<std::string> verify_dataset(const fs::path& folder, const Context& c
   std::vector<std::string> faults;
   for (std::uint64_t s = 0; s < plan.shape.shards(); ++s) {
     context.check();
-  std::vector<std::uint64_t> wanted;
     context.report({"verify", static_cast<double>(s) / static_cast<double>(plan.shape.shards())});
     const ShardPaths paths = shard_paths(folder, s);
     const auto mark = read_mark(plan.shape, folder, s);
     const std::string name = paths.marker.stem().string();
     if (!mark) {
-  if (!wanted.empty()) context.report({"dataset", 1});
       faults.push_back("shard " + name + ": it is not there, or not whole");
     } else {
       ShardCheck(plan, folder, name, faults).run(paths, *mark);
     }
   }
+  context.report({"verify", 1});
   std::error_code failed;
   const bool whole = faults.empty();
   for (const char* file : {"coco.json", "croissant.json", "dataset.json"}) {
@@ -226,7 +244,6 @@ RemadeSample remake_sample(const fs::path& folder, const std::string& id, const 
   if (read.ec != std::errc() || read.ptr != id.data() + id.size() || index >= plan.shape.samples) {
     throw Error(ErrorKind::usage, "no sample " + id, folder.string(),
                 fmt::format("they are 0 to {}", plan.shape.samples - 1));
-  context.report({"verify", 1});
   }
   RemadeSample remade{make_sample(plan, index, context), {}};
   std::map<std::string, std::string> held;
