@@ -50,6 +50,7 @@ Recipe build_recipe(Options& options) {
 int crack(Options& options) {
   options.request.recipe = build_recipe(options);
   options.request.shot = options.choice.picture;
+  options.request.line_width = options.choice.line_width;
   options.request.plain = options.choice.plain;
   options.request.environment = options.choice.environment;
   check_request(options.request);

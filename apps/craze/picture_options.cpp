@@ -82,9 +82,8 @@ void add_scene(CLI::App& verb, PictureChoice& choice) {
   verb.add_flag("--plain", choice.plain,
                 "In the material's colours, not in the textures and colours of the mesh's own")
       ->group(group);
-  verb.add_option("--line-width", picture.line_width, "Of a crack, model units; 0: by the size")
-      ->type_name("LENGTH")
-      ->check(not_negative())
+  add_length(verb, "--line-width", choice.line_width,
+             "Of a crack, model units or with a unit; 0: by the size")
       ->group(group);
   CLI::Option* light = verb.add_option("--light", picture.light.azimuth,
                                        "Where the lamp stands: degrees to the right of the camera")

@@ -19,6 +19,7 @@
 #include "craze/products/growth/growth.h"
 #include "craze/products/opening/shading_normals.h"
 #include "craze/products/statistics/graph/graph_input.h"
+#include "craze/recipe/own_lengths.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
 #include "craze/write_mesh.h"
@@ -33,8 +34,10 @@ bool shows_mesh(const RunRequest& request) {
   return is_cut || !(request.picture.empty() && request.frames.empty() && request.video.empty());
 }
 
-render::PictureOptions picture_options(const RunRequest& request, const BesideSurface& beside) {
+render::PictureOptions picture_options(const RunRequest& request, const Yardstick& yardstick,
+                                       const BesideSurface& beside) {
   render::PictureOptions options = request.shot;
+  options.line_width = own_length(request.line_width, yardstick, "--line-width");
   options.looks = beside.looks;
   options.environment.environment = beside.environment;
   options.material = render::find_material(request.recipe.picture.material);
@@ -104,7 +107,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
                                                        const Result& result,
                                                        const BesideSurface& beside, Report& report,
                                                        const Context& context) {
-  const render::PictureOptions picture = picture_options(request, beside);
+  render::PictureOptions picture = picture_options(request, result.state().run->yardstick, beside);
   const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
   const std::optional<SceneUvs> uvs = uvs_of_scene(request, result, beside.source, warn, context);
   SourceFile source = beside.source;

@@ -16,6 +16,7 @@
 #include "craze/model/simulation.h"
 #include "craze/output/named_nodes.h"
 #include "craze/products/report_json.h"
+#include "craze/recipe/own_lengths.h"
 #include "craze/render/light/environment_file.h"
 
 namespace craze {
@@ -88,6 +89,9 @@ RunResult run(const RunRequest& request, const Context& context) {
       request.recipe.mesh.output == OutputMesh::simulation) {
     check_first_uvs(*document);
   }
+  // Before the run, not after it.
+  const SurfaceMesh& surface = *loaded.input.surface;
+  own_length(request.line_width, {1, metres_per_unit(surface, request.recipe)}, "--line-width");
   const double load_time = phase.lap();
 
   const Recipe recipe =
