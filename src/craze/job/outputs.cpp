@@ -11,12 +11,14 @@
 #include "craze/job/growth_frames.h"
 #include "craze/job/maps/mapped_output.h"
 #include "craze/job/maps/scene_uvs.h"
+#include "craze/mesh/corners_on_surface.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/output/write_surface.h"
 #include "craze/products/crack_lines.h"
 #include "craze/products/cut_surface.h"
 #include "craze/products/field_mesh.h"
 #include "craze/products/growth/growth.h"
+#include "craze/products/opening/opened_origin.h"
 #include "craze/products/opening/shading_normals.h"
 #include "craze/products/statistics/graph/graph_input.h"
 #include "craze/recipe/own_lengths.h"
@@ -27,6 +29,17 @@
 namespace craze {
 
 namespace {
+
+/// Those at the corners of the surface that is shown.
+std::vector<std::vector<Vec2>> shown_uvs(std::vector<std::vector<Vec2>> sets, const Result& result,
+                                         const OpenedSurface& shown) {
+  if (sets.empty()) return sets;
+  const SurfaceOrigin origin = opened_origin(result, shown);
+  for (std::vector<Vec2>& uvs : sets) {
+    if (!uvs.empty()) uvs = uvs_on_surface(uvs, origin);
+  }
+  return sets;
+}
 
 /// Whether anything is written that shows the mesh itself; a report only counts it.
 bool shows_mesh(const RunRequest& request) {
@@ -118,6 +131,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   context.check();
   const OpenedSurface shown = opened_surface(result, std::move(cut), std::move(times),
                                              result.report().recipe.post, context);
+  if (takes_pictures(request)) picture.further_uvs = shown_uvs(beside.further_uvs, result, shown);
   report.output = count_mesh(shown.mesh);
   if (shows_mesh(request)) {
     report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());

@@ -50,7 +50,13 @@ Loaded load(const RunRequest& request, const Context& context) {
   MeshFile file = load_surface(request.input, context);
   loaded.warnings = std::move(file.warnings);
   if (takes_pictures(request) && !request.plain) {
-    loaded.beside.looks = material_looks(file.looks, request.input, loaded.warnings, context);
+    // Of a mesh that is not made of the input's triangles the first set alone is known.
+    const bool all = request.recipe.mesh.output == OutputMesh::asset;
+    loaded.beside.looks = material_looks(file.looks, request.input, loaded.warnings, context,
+                                         all ? ShownUvs::all : ShownUvs::first);
+    if (all && !loaded.beside.looks.empty()) {
+      loaded.beside.further_uvs = further_uvs(file, loaded.warnings);
+    }
   }
   if (takes_pictures(request) && !request.environment.empty()) {
     loaded.beside.environment = render::read_environment(request.environment, context);
