@@ -61,6 +61,28 @@ int crack(Options& options) {
   return result.cancelled ? interrupt_code() : code;
 }
 
+/// Which options do nothing without which.
+std::vector<OptionNeed> needs_of(const CLI::App& verb, const Options& options) {
+  const RunRequest& request = options.request;
+  const auto maps = [&request] { return !request.maps.folder.empty(); };
+  const auto mapped = [&request] { return request.as_maps; };
+  const auto animated = [&request] { return request.animate; };
+  const auto video = [&request] { return !request.video.empty(); };
+  const auto frames = [&request] { return !request.frames.empty(); };
+  std::vector<OptionNeed> needs =
+      picture_needs(verb, options.choice, "--picture, --frames (.png) or --video",
+                    [&request] { return takes_pictures(request); });
+  needs.insert(needs.end(),
+               {{{"--map", "--map-format", "--map-green"}, "--maps", maps},
+                {{"--map-size"}, "--maps or --as maps", [=] { return maps() || mapped(); }},
+                {{"--stain"}, "--as maps", mapped},
+                {{"--stages"}, "--animate", animated},
+                {{"--seconds"}, "--animate or --video", [=] { return animated() || video(); }},
+                {{"--frame-count"}, "--frames or --video", [=] { return frames() || video(); }},
+                {{"--frame-format"}, "--frames", frames}});
+  return needs;
+}
+
 void add_outputs(CLI::App& verb, RunRequest& request) {
   const char* group = "Outputs";
   verb.add_option("-o,--output", request.output,
@@ -174,7 +196,10 @@ void add_crack(CLI::App& app, Action& action) {
       "  craze crack vase.obj --maps vase_maps --map normal --map occlusion --map-size 2048\n"
       "Ctrl-C stops, writes what was asked for and exits with 130 (SIGTERM: 143); a second one "
       "kills.");
-  verb->callback([options, &action] { action = [options] { return crack(*options); }; });
+  verb->callback([verb, options, &action] {
+    check_needs(*verb, needs_of(*verb, *options));
+    action = [options] { return crack(*options); };
+  });
 }
 
 }  // namespace craze::app

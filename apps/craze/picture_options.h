@@ -2,10 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "craze/length.h"
 #include "craze/render/picture.h"
+#include "option_needs.h"
 
 namespace craze::app {
 
@@ -20,5 +23,10 @@ struct PictureChoice {
 
 /// --width, --height, --samples, camera, material, light and background, in two groups.
 void add_picture_options(CLI::App& verb, PictureChoice& choice);
+
+/// What those options need: a picture, asked for by `needed`. `choice` must outlive it.
+std::vector<OptionNeed> picture_needs(const CLI::App& verb, const PictureChoice& choice,
+                                      const std::string& needed,
+                                      const std::function<bool()>& takes_pictures);
 
 }  // namespace craze::app

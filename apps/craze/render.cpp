@@ -72,7 +72,10 @@ void add_render(CLI::App& app, Action& action) {
       "  craze render cracked.ply -o near.png --zoom 4 --at 0 0.1 0.2 --light -60 "
       "--light-elevation 20\n"
       "  craze render vase.glb -o vase.png --material glass --background 303840 --no-ground");
-  verb->callback([options, &action] { action = [options] { return render_mesh(*options); }; });
+  verb->callback([verb, options, &action] {
+    check_needs(*verb, picture_needs(*verb, options->choice, "-o", [] { return true; }));
+    action = [options] { return render_mesh(*options); };
+  });
 }
 
 }  // namespace craze::app
