@@ -23,8 +23,8 @@ struct GlbColumns {
   int first = 0, components = 1;
 };
 
-/// The accessors of an attribute: one, or where it has more than four columns one for each, numbered
-/// NAME_0, NAME_1 …
+/// The accessors of an attribute: one, or where it has more than four columns one for each,
+/// numbered NAME_0, NAME_1 …
 std::vector<GlbColumns> glb_columns(const Attribute& attribute);
 
 /// The materials of a file, numbered as they are first asked for.

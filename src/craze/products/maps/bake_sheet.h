@@ -26,7 +26,8 @@ struct BakeScene {
   const MapOptions& options;
 };
 
-/// Bakes `sheet` into `sink`, from begin() to end(). `headers` are those of begin(). Reports "maps".
+/// Bakes `sheet` into `sink`, from begin() to end(). `headers` are those of begin(). Reports
+/// "maps".
 void bake_sheet(const BakeScene& scene, const MapSheet& sheet,
                 const std::vector<MapHeader>& headers, MapSink& sink, const Context& context);
 

@@ -27,10 +27,10 @@ void add_crack_attributes(const CutScene& cut, const std::vector<std::int32_t>& 
       elements.components = static_cast<std::size_t>(columns.components);
       constexpr double nowhere[] = {-1, -1, -1, -1};
       for (const std::int32_t v : owner) {
-        elements.append(v < 0 ? nowhere
-                              : &a.values[static_cast<std::size_t>(v) *
-                                              static_cast<std::size_t>(a.components) +
-                                          static_cast<std::size_t>(columns.first)]);
+        elements.append(
+            v < 0 ? nowhere
+                  : &a.values[static_cast<std::size_t>(v) * static_cast<std::size_t>(a.components) +
+                              static_cast<std::size_t>(columns.first)]);
       }
       vertices.set(columns.name, std::move(elements));
     }
