@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "craze/length.h"
 #include "terminal/exit_code.h"
 #include "terminal/print.h"
 
@@ -29,5 +30,10 @@ void add_parameters(CLI::App& app, Action& action);
 CLI::Validator any_number();
 CLI::Validator not_negative();
 CLI::Validator number_in(double low, double high);
+
+/// For options that take a length of 0 or more, with a unit or without: kept as parse_length reads
+/// it (recipe/length_text.h).
+CLI::Option* add_length(CLI::App& verb, const std::string& name, Length& length,
+                        const std::string& help);
 
 }  // namespace craze::app

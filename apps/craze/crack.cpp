@@ -1,4 +1,5 @@
 // craze crack INPUT: grows cracks on a mesh and writes what was asked for.
+#include <filesystem>
 #include <memory>
 
 #include "app.h"
@@ -26,14 +27,18 @@ constexpr const char* standard_preset = "glaze";
 
 /// The preset or recipe file, else the defaults where keys are set by hand, else the standard
 /// preset; then --set in order, then --seed.
-Recipe build_recipe(const Options& options) {
+Recipe build_recipe(Options& options) {
   Recipe recipe;
   if (!options.preset.empty()) {
     recipe = read_preset(options.preset);
   } else if (options.recipe.empty() && options.settings.empty()) {
     recipe = read_preset(standard_preset);
   }
-  if (!options.recipe.empty()) recipe = read_recipe_file(options.recipe);
+  if (!options.recipe.empty()) {
+    recipe = read_recipe_file(options.recipe);
+    const std::filesystem::path folder = std::filesystem::path(options.recipe).parent_path();
+    options.request.textures = texture_folder(folder, recipe);
+  }
   for (const std::string& setting : options.settings) apply_set(recipe, setting);
   const std::string &material = options.choice.material, &up = options.choice.up;
   if (!material.empty()) apply_set(recipe, "picture.material=\"" + material + "\"");
@@ -45,6 +50,7 @@ Recipe build_recipe(const Options& options) {
 int crack(Options& options) {
   options.request.recipe = build_recipe(options);
   options.request.shot = options.choice.picture;
+  options.request.line_width = options.choice.line_width;
   options.request.plain = options.choice.plain;
   options.request.environment = options.choice.environment;
   check_request(options.request);
@@ -53,6 +59,28 @@ int crack(Options& options) {
   int code = done;
   if (options.request.report == "-") code = print(result.report_text);
   return result.cancelled ? interrupt_code() : code;
+}
+
+/// Which options do nothing without which.
+std::vector<OptionNeed> needs_of(const CLI::App& verb, const Options& options) {
+  const RunRequest& request = options.request;
+  const auto maps = [&request] { return !request.maps.folder.empty(); };
+  const auto mapped = [&request] { return request.as_maps; };
+  const auto animated = [&request] { return request.animate; };
+  const auto video = [&request] { return !request.video.empty(); };
+  const auto frames = [&request] { return !request.frames.empty(); };
+  std::vector<OptionNeed> needs =
+      picture_needs(verb, options.choice, "--picture, --frames (.png) or --video",
+                    [&request] { return takes_pictures(request); });
+  needs.insert(needs.end(),
+               {{{"--map", "--map-format", "--map-green"}, "--maps", maps},
+                {{"--map-size"}, "--maps or --as maps", [=] { return maps() || mapped(); }},
+                {{"--stain"}, "--as maps", mapped},
+                {{"--stages"}, "--animate", animated},
+                {{"--seconds"}, "--animate or --video", [=] { return animated() || video(); }},
+                {{"--frame-count"}, "--frames or --video", [=] { return frames() || video(); }},
+                {{"--frame-format"}, "--frames", frames}});
+  return needs;
 }
 
 void add_outputs(CLI::App& verb, RunRequest& request) {
@@ -168,7 +196,10 @@ void add_crack(CLI::App& app, Action& action) {
       "  craze crack vase.obj --maps vase_maps --map normal --map occlusion --map-size 2048\n"
       "Ctrl-C stops, writes what was asked for and exits with 130 (SIGTERM: 143); a second one "
       "kills.");
-  verb->callback([options, &action] { action = [options] { return crack(*options); }; });
+  verb->callback([verb, options, &action] {
+    check_needs(*verb, needs_of(*verb, *options));
+    action = [options] { return crack(*options); };
+  });
 }
 
 }  // namespace craze::app

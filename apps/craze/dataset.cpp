@@ -132,14 +132,18 @@ void add_dataset(CLI::App& app, Action& action) {
   plan->type_name("");
   CLI::Option* folder =
       verb->add_option("-o,--output", options->output, "Where the set goes")->type_name("DIR");
-  verb->add_option("--shard", options->shard,
-                   "Do only every N-th archive, for one of N processes or machines; all may write "
-                   "to one folder")
-      ->type_name("i/N");
-  verb->add_option("--samples", options->samples, "Instead of the number in the plan")
-      ->check(CLI::Range(1, 1000000000))
-      ->type_name("N");
+  CLI::Option* shard =
+      verb->add_option(
+              "--shard", options->shard,
+              "Do only every N-th archive, for one of N processes or machines; all may write "
+              "to one folder")
+          ->type_name("i/N");
+  CLI::Option* samples =
+      verb->add_option("--samples", options->samples, "Instead of the number in the plan")
+          ->check(CLI::Range(1, 1000000000))
+          ->type_name("N");
   CLI::Option* keys = verb->add_flag("--keys", options->keys, "List the keys of such plans");
+  for (CLI::Option* other : {plan, folder, shard, samples}) keys->excludes(other);
   add_run_options(*verb, options->run, "No progress, no word at the end");
   verb->footer(
       "Examples:\n"
@@ -152,6 +156,9 @@ void add_dataset(CLI::App& app, Action& action) {
       "A set that was stopped, even killed, goes on where it was when started again, with any "
       "number of shards.");
   add_verbs(*verb, options, action);
+  for (CLI::App* of_set : verb->get_subcommands({})) {
+    for (CLI::Option* making : {plan, folder, shard, samples, keys}) of_set->excludes(making);
+  }
   verb->callback([verb, options, plan, folder, keys, &action] {
     if (!verb->get_subcommands().empty()) return;
     if (keys->empty()) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app.h"
+#include "craze/recipe/length_text.h"
 
 namespace craze::app {
 
@@ -33,6 +34,19 @@ CLI::Validator not_negative() {
 CLI::Validator number_in(double low, double high) {
   return number_that([=](double value) { return value >= low && value <= high; },
                      fmt::format("{} to {}", low, high));
+}
+
+CLI::Option* add_length(CLI::App& verb, const std::string& name, Length& length,
+                        const std::string& help) {
+  const auto take = [&length, name](const std::string& text) {
+    const auto given = parse_length(text);
+    if (!given || !std::isfinite(given->number()) || given->number() < 0) {
+      throw CLI::ValidationError(
+          name, text + " is not a number of at least 0, nor such a length as 2mm or 1%");
+    }
+    length = *given;
+  };
+  return verb.add_option_function<std::string>(name, take, help)->type_name("LENGTH");
 }
 
 }  // namespace craze::app

@@ -7,8 +7,10 @@ namespace craze::app {
 
 namespace {
 
+constexpr const char *camera_group = "Camera of pictures", *scene_group = "Scene of pictures";
+
 void add_camera(CLI::App& verb, PictureChoice& choice) {
-  const char* group = "Camera of pictures";
+  const char* group = camera_group;
   render::PictureOptions& picture = choice.picture;
   verb.add_option("--width", picture.width, "Pixels")
       ->type_name("N")
@@ -73,7 +75,7 @@ void add_camera(CLI::App& verb, PictureChoice& choice) {
 }
 
 void add_scene(CLI::App& verb, PictureChoice& choice) {
-  const char* group = "Scene of pictures";
+  const char* group = scene_group;
   render::PictureOptions& picture = choice.picture;
   verb.add_option("--material", choice.material,
                   "What it looks like: clay, mud, glaze, plaster, glass or paint")
@@ -82,9 +84,8 @@ void add_scene(CLI::App& verb, PictureChoice& choice) {
   verb.add_flag("--plain", choice.plain,
                 "In the material's colours, not in the textures and colours of the mesh's own")
       ->group(group);
-  verb.add_option("--line-width", picture.line_width, "Of a crack, model units; 0: by the size")
-      ->type_name("LENGTH")
-      ->check(not_negative())
+  add_length(verb, "--line-width", choice.line_width,
+             "Of a crack, model units or with a unit; 0: by the size")
       ->group(group);
   CLI::Option* light = verb.add_option("--light", picture.light.azimuth,
                                        "Where the lamp stands: degrees to the right of the camera")
@@ -132,6 +133,17 @@ void add_scene(CLI::App& verb, PictureChoice& choice) {
 void add_picture_options(CLI::App& verb, PictureChoice& choice) {
   add_camera(verb, choice);
   add_scene(verb, choice);
+}
+
+std::vector<OptionNeed> picture_needs(const CLI::App& verb, const PictureChoice& choice,
+                                      const std::string& needed,
+                                      const std::function<bool()>& takes_pictures) {
+  std::vector<std::string> options = options_of_groups(verb, {camera_group, scene_group});
+  // Which are keys of recipes too, and the first of files.
+  std::erase_if(options,
+                [](const std::string& name) { return name == "--up" || name == "--material"; });
+  return {{options, needed, takes_pictures},
+          {{"--focus"}, "--aperture", [&choice] { return choice.picture.view.aperture > 0; }}};
 }
 
 }  // namespace craze::app

@@ -6,6 +6,8 @@
 #include "craze/job/load_surface.h"
 #include "craze/job/material_looks.h"
 #include "craze/job/run.h"
+#include "craze/mesh/bounding_diagonal.h"
+#include "craze/recipe/own_lengths.h"
 #include "craze/render/light/environment_file.h"
 #include "craze/render/mesh_picture.h"
 #include "craze/render/png.h"
@@ -39,6 +41,8 @@ int render_mesh(Options& options) {
     picture.environment.environment = render::read_environment(around, context);
   }
   MeshFile file = load_surface(options.input, context);
+  const Yardstick yardstick{bounding_diagonal(file.mesh.positions), file.mesh.metres_per_unit};
+  picture.line_width = own_length(options.choice.line_width, yardstick, "--line-width");
   if (!options.choice.plain) {
     picture.looks =
         material_looks(file.looks, options.input, file.warnings, context, ShownUvs::all);
@@ -68,7 +72,10 @@ void add_render(CLI::App& app, Action& action) {
       "  craze render cracked.ply -o near.png --zoom 4 --at 0 0.1 0.2 --light -60 "
       "--light-elevation 20\n"
       "  craze render vase.glb -o vase.png --material glass --background 303840 --no-ground");
-  verb->callback([options, &action] { action = [options] { return render_mesh(*options); }; });
+  verb->callback([verb, options, &action] {
+    check_needs(*verb, picture_needs(*verb, options->choice, "-o", [] { return true; }));
+    action = [options] { return render_mesh(*options); };
+  });
 }
 
 }  // namespace craze::app

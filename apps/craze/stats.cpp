@@ -7,10 +7,12 @@
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/graph_from_file.h"
+#include "craze/mesh/bounding_diagonal.h"
 #include "craze/products/statistics/graph/graph_input.h"
 #include "craze/products/statistics/graph/simplify_lines.h"
 #include "craze/products/statistics/plots/plots.h"
 #include "craze/products/statistics/statistics_report.h"
+#include "craze/recipe/own_lengths.h"
 #include "run_options.h"
 
 namespace craze::app {
@@ -40,7 +42,7 @@ void write_plots(const std::filesystem::path& folder, const CrackGraphInput& gra
 void add_stats(CLI::App& app, Action& action) {
   struct Options {
     std::string input, plots;
-    double simplify = 0;
+    Length simplify = 0;
     bool json = false, no_warnings = false;
   };
   const auto options = std::make_shared<Options>();
@@ -51,11 +53,9 @@ void add_stats(CLI::App& app, Action& action) {
       ->required()
       ->type_name("");
   verb->add_flag("--json", options->json, "As JSON");
-  verb->add_option("--simplify", options->simplify,
-                   "Draw lines by as few of their points as stay within this of them, "
-                   "in the unit of the input: a pixel for a skeleton")
-      ->check(not_negative())
-      ->type_name("LENGTH");
+  add_length(*verb, "--simplify", options->simplify,
+             "Draw lines by as few of their points as stay within this of them, in the unit of the "
+             "input, a pixel for a skeleton, or with a unit");
   verb->add_option("--plots", options->plots,
                    "Write histograms and pictures of the graph into this folder, as SVG")
       ->type_name("DIR");
@@ -70,7 +70,8 @@ void add_stats(CLI::App& app, Action& action) {
       std::vector<std::string> warnings;
       CrackGraphInput graph = graph_from_file(options->input, warnings);
       if (!options->no_warnings) print_warnings({}, warnings);
-      simplify_lines(graph, options->simplify);
+      const Yardstick yardstick{bounding_diagonal(graph.points), graph.metres_per_unit};
+      simplify_lines(graph, own_length(options->simplify, yardstick, "--simplify"));
       const StatisticsWithSensitivity statistics = compute_with_sensitivity(graph);
       if (!options->plots.empty()) write_plots(options->plots, graph, statistics.result);
       const std::vector<NullRow> nulls = null_rows({});

@@ -42,12 +42,14 @@ void add_sweep(CLI::App& app, Action& action) {
   plan->type_name("");
   CLI::Option* folder = verb->add_option("-o,--output", options->folder, "Where the table goes");
   folder->type_name("DIR");
-  verb->add_option("--shard", options->shard,
-                   "Do only every N-th part, for one of N processes or machines; all may write to "
-                   "one folder")
-      ->type_name("i/N");
+  CLI::Option* shard =
+      verb->add_option(
+              "--shard", options->shard,
+              "Do only every N-th part, for one of N processes or machines; all may write to "
+              "one folder")
+          ->type_name("i/N");
   CLI::Option* keys = verb->add_flag("--keys", options->keys, "List the keys of such plans");
-  keys->excludes(plan)->excludes(folder);
+  keys->excludes(plan)->excludes(folder)->excludes(shard);
   add_run_options(*verb, options->run, "No progress, no word at the end");
   verb->footer(
       "Examples:\n"

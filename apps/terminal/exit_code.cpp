@@ -21,7 +21,7 @@ int exit_code_of(MessageStyle style, const std::function<int()>& run) {
     print_error(style, e.what());
     return e.kind() == ErrorKind::usage ? wrong_usage : failed;
   } catch (const std::bad_alloc&) {
-    print_error(style, "out of memory: try a coarser mesh.edge or a smaller input");
+    print_error(style, "out of memory (mesh.edge): try a longer one, or a smaller input");
   } catch (const std::exception& e) {
     print_error(style, std::string("unexpected failure: ") + e.what());
   }

@@ -14,12 +14,14 @@ CallbackContext::CallbackContext(craze_progress progress, void* user, int thread
   if (!progress_) return;
   context_.progress = [this](const Progress& reached) {
     const bool new_phase = reached.phase != phase_;
+    if (new_phase && untold_) ask();
     if (new_phase) phase_ = reached.phase;
     last_ = reached;
-    if (new_phase || std::chrono::steady_clock::now() - asked_ >= interval) ask();
+    untold_ = true;
+    if (new_phase || reached.fraction >= 1 || Clock::now() - asked_ >= interval) ask();
   };
   context_.cancelled = [this] {
-    if (stopped_ || std::chrono::steady_clock::now() - asked_ < interval) return stopped_;
+    if (stopped_ || Clock::now() - asked_ < interval) return stopped_;
     return ask();
   };
 }
@@ -27,7 +29,8 @@ CallbackContext::CallbackContext(craze_progress progress, void* user, int thread
 bool CallbackContext::ask() {
   stopped_ =
       stopped_ || progress_(user_, phase_.c_str(), last_.fraction, last_.cracks, last_.load) != 0;
-  asked_ = std::chrono::steady_clock::now();
+  asked_ = Clock::now();
+  untold_ = false;
   return stopped_;
 }
 

@@ -10,8 +10,8 @@
 
 namespace craze::c {
 
-/// Asks the callback at most about twenty times a second, and at each new phase; once it has asked
-/// to stop, everything stops. Must outlive the call that its context is handed to.
+/// Asks the callback about twenty times a second, and at the start and the end of each phase; once
+/// it has asked to stop, everything stops. Must outlive the call that its context is handed to.
 class CallbackContext {
  public:
   CallbackContext(craze_progress progress, void* user, int threads = 0);
@@ -23,6 +23,8 @@ class CallbackContext {
   const Context& get() const { return context_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   bool ask();
 
   craze_progress progress_;
@@ -30,7 +32,8 @@ class CallbackContext {
   Context context_;
   Progress last_;
   std::string phase_ = "start";
-  std::chrono::steady_clock::time_point asked_{};
+  Clock::time_point asked_{};
+  bool untold_ = false;  ///< last_ has not been handed on
   bool stopped_ = false;
 };
 

@@ -74,9 +74,9 @@ typedef struct craze_array {
 } craze_array;
 
 /* Called from the thread that called the function that takes it, about twenty times a second and at
- * the start of each phase. `fraction` is 0 ... 1, or below 0 where no end is known. Anything but 0
- * stops: the call returns CRAZE_CANCELLED and changes nothing. It must not use the handle that is
- * at work. NULL where nobody asks. */
+ * the start and the end of each phase. `fraction` goes to 1 in each, or is below 0 where no end is
+ * known. Anything but 0 stops: the call returns CRAZE_CANCELLED and changes nothing. It must not
+ * use the handle that is at work. NULL where nobody asks. */
 typedef int (*craze_progress)(void* user, const char* phase, double fraction, int64_t cracks,
                               double load);
 

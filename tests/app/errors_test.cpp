@@ -116,9 +116,50 @@ TEST_F(Errors, TooLittleStressForACrackIsSaid) {
   EXPECT_EQ(run(preset).err.find("no crack opened"), std::string::npos);
 }
 
-TEST_F(Errors, AnEnvironmentNeedsAPicture) {
-  expect_error({"crack", "missing.obj", "-o", "a.glb", "--environment", "sky.hdr"}, 2,
-               "no picture is asked for");
+TEST_F(Errors, OptionsThatWouldDoNothingAreRefused) {
+  using Words = std::vector<std::string>;
+  const std::string picture = "--picture, --frames (.png) or --video";
+  const std::vector<std::pair<Words, std::string>> alone{
+      {{"--width", "300"}, picture},
+      {{"--samples", "1"}, picture},
+      {{"--at", "0", "0", "1"}, picture},
+      {{"--aperture", "0.1"}, picture},
+      {{"--plain"}, picture},
+      {{"--line-width", "0.1"}, picture},
+      {{"--light", "20"}, picture},
+      {{"--environment", "sky.hdr"}, picture},
+      {{"--no-ground"}, picture},
+      {{"--background", "ffffff"}, picture},
+      {{"--frames", "f", "--frame-format", "ply", "--width", "300"}, picture},
+      {{"--picture", "p.png", "--focus", "0", "0", "1"}, "--aperture"},
+      {{"--map", "height"}, "--maps"},
+      {{"--map-green", "down"}, "--maps"},
+      {{"--as", "maps", "--map-format", "exr"}, "--maps"},
+      {{"--map-size", "64"}, "--maps or --as maps"},
+      {{"--maps", "m", "--stain", "3b2314"}, "--as maps"},
+      {{"--stages", "8"}, "--animate"},
+      {{"--seconds", "2"}, "--animate or --video"},
+      {{"--frame-count", "8"}, "--frames or --video"},
+      {{"--frame-format", "png"}, "--frames"}};
+  for (const auto& [words, needed] : alone) {
+    Words arguments{"crack", "missing.obj", "-o", "a.glb"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    expect_error(arguments, 2, "give " + needed + " too, or leave it out");
+  }
+  expect_error({"render", "missing.obj", "-o", "a.png", "--focus", "0", "0", "1"}, 2, "--aperture");
+  // Which say something of files, or of the recipe in the report.
+  EXPECT_EQ(run({"crack", "shape:plate?n=4", "-o", "a.glb", "--up", "y", "--material", "mud",
+                 "--max-cracks", "0"})
+                .code,
+            0);
+}
+
+TEST_F(Errors, OptionsOfMakingASetSayNothingToItsVerbs) {
+  for (const char* making : {"plan.toml", "--samples=3", "--shard=0/2", "--output=x", "--keys"}) {
+    expect_error({"dataset", making, "verify", "set"}, 2, "verify");
+  }
+  expect_error({"dataset", "--keys", "--samples", "3"}, 2, "--keys");
+  expect_error({"sweep", "--keys", "--shard", "0/2"}, 2, "--keys");
 }
 
 TEST_F(Errors, WrongOutputsAreFoundBeforeTheInputIsRead) {

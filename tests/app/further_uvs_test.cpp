@@ -39,11 +39,14 @@ SceneFile two_colors(int set, int sets, int asked) {
 
 class FurtherUvSets : public CommandTest {
  protected:
-  /// The parts of a picture that are red and green.
-  std::array<double, 2> colors(const SceneFile& scene, CommandResult& result) {
+  /// The parts of a picture that are red and green, by `craze render` or by other words.
+  std::array<double, 2> colors(const SceneFile& scene, CommandResult& result,
+                               std::vector<std::string> words = {"render", "a.glb", "-o",
+                                                                 "a.png"}) {
     std::ofstream(file("a.glb"), std::ios::binary) << scene.bytes();
-    result = run({"render", "a.glb", "-o", "a.png", "--width", "64", "--height", "64", "--up", "y",
-                  "--azimuth", "0", "--elevation", "0", "--no-ground"});
+    words.insert(words.end(), {"--width", "64", "--height", "64", "--up", "y", "--azimuth", "0",
+                               "--elevation", "0", "--no-ground"});
+    result = run(words);
     EXPECT_EQ(result.code, 0) << result.err;
     const Image picture = read_image(read_text(file("a.png")), "a.png");
     std::array<double, 2> part{};
@@ -67,6 +70,26 @@ TEST_F(FurtherUvSets, AreShownInPictures) {
     EXPECT_NEAR(red, green, 0.1) << set;
     EXPECT_EQ(result.err, "") << set;
   }
+}
+
+TEST_F(FurtherUvSets, AreShownInPicturesOfRuns) {
+  const std::vector<std::string> cracking{
+      "crack", "a.glb",  "--preset",     "mud", "--set",     "layer.relative_spacing=0.3",
+      "--set", "seed=1", "--max-cracks", "30",  "--picture", "a.png"};
+  std::vector<std::string> opened = cracking, simulated = cracking;
+  opened.insert(opened.end(), {"--set", "post.gap=0.02", "--set", "post.wall=0.02"});
+  simulated.insert(simulated.end(), {"--set", "mesh.output=\"simulation\""});
+  for (const auto& words : {cracking, opened}) {
+    CommandResult result;
+    const auto [red, green] = colors(two_colors(1, 2, 1), result, words);
+    EXPECT_GT(red, 0.1);
+    EXPECT_NEAR(red, green, 0.1);
+    EXPECT_EQ(result.err.find("UV set"), std::string::npos) << result.err;
+  }
+  CommandResult result;
+  const auto [red, green] = colors(two_colors(1, 2, 1), result, simulated);
+  EXPECT_EQ(red + green, 0);
+  EXPECT_NE(result.err.find("further UV set"), std::string::npos) << result.err;
 }
 
 TEST_F(FurtherUvSets, ThatAreNotThereAreSaid) {

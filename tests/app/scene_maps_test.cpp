@@ -82,9 +82,13 @@ class SceneMaps : public CommandTest {
  protected:
   CommandResult crack(const std::vector<std::string>& more, const char* size = "128") {
     std::ofstream(file("yard.glb"), std::ios::binary) << yard().bytes();
-    std::vector<std::string> all{
-        "crack",      "yard.glb", "--preset", "mud",
-        "--map-size", size,       "--set",    "where.materials=[\"brick\",\"clay\",\"tin\"]"};
+    std::vector<std::string> all{"crack",    "yard.glb",
+                                 "--preset", "mud",
+                                 "--set",    "where.materials=[\"brick\",\"clay\",\"tin\"]"};
+    const bool has_maps = std::any_of(more.begin(), more.end(), [](const std::string& word) {
+      return word == "--maps" || word == "maps";
+    });
+    if (has_maps) all.insert(all.end(), {"--map-size", size});
     all.insert(all.end(), more.begin(), more.end());
     return run(all);
   }

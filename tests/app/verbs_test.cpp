@@ -174,6 +174,41 @@ TEST_F(Verbs, CrackAndRenderTakeTheSamePictureOptions) {
   EXPECT_NE(wrong.err.find("six hexadecimal digits"), std::string::npos) << wrong.err;
 }
 
+TEST_F(Verbs, LengthsOfOptionsTakeUnits) {
+  const std::vector<std::string> small{"--width", "90", "--height", "60", "--samples", "1"};
+  const auto with = [&](std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    words.insert(words.end(), small.begin(), small.end());
+    const CommandResult result = run(words);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return read_text(file("p.png"));
+  };
+  const std::vector<std::string> crack{"crack",     "shape:plate?n=6",
+                                       "--preset",  "mud",
+                                       "--set",     "layer.relative_spacing=0.3",
+                                       "--set",     "mesh.edge=keep",
+                                       "--set",     "mesh.unit=cm",
+                                       "--picture", "p.png",
+                                       "-o",        "a.ply"};
+  const std::string wide = with(crack, {"--line-width", "0.03"});
+  EXPECT_EQ(with(crack, {"--line-width", "0.3mm"}), wide);
+  EXPECT_NE(with(crack, {"--line-width", "0.2mm"}), wide);
+  const std::vector<std::string> render{"render", "a.ply", "-o", "p.png"};
+  const double diagonal = std::sqrt(2.0);
+  EXPECT_EQ(with(render, {"--line-width", "3%"}),
+            with(render, {"--line-width", nlohmann::json(3 * diagonal / 100).dump()}));
+
+  const std::string coarse = run({"stats", "a.ply", "--json", "--simplify", "4%"}).out;
+  EXPECT_EQ(
+      run({"stats", "a.ply", "--json", "--simplify", nlohmann::json(4 * diagonal / 100).dump()})
+          .out,
+      coarse);
+  EXPECT_NE(run({"stats", "a.ply", "--json"}).out, coarse);
+  EXPECT_NE(run({"stats", "a.ply", "--simplify", "4mm"}).err.find("(--simplify)"),
+            std::string::npos);
+  EXPECT_EQ(run({"stats", "a.ply", "--simplify", "4 mm"}).code, 2);
+}
+
 TEST_F(Verbs, AllThatReadAMeshSayWhatTheyLeaveOutUnlessToldNotTo) {
   // Two triangles parted along an edge; a mesh keeps no points.
   std::ofstream(file("a.obj"))

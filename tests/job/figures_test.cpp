@@ -33,7 +33,7 @@ TEST(Figures, AMisspeltNameIsMet) {
     find_figure("dargon");
     FAIL();
   } catch (const Error& e) {
-    EXPECT_STREQ(e.what(), "unknown figure dargon: did you mean dragon?");
+    EXPECT_STREQ(e.what(), "unknown figure (dargon): did you mean dragon?");
     EXPECT_EQ(e.kind(), ErrorKind::usage);
   }
 }

@@ -283,8 +283,22 @@ TEST(Remesh, SaysHowFarItIsAndNeverGoesBack) {
   ASSERT_GT(fractions.size(), 30u);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.front(), 0);
-  EXPECT_GT(fractions.back(), 0.9);
-  EXPECT_LE(fractions.back(), 1);
+  EXPECT_EQ(fractions.back(), 1);
+}
+
+TEST(Remesh, RefusesCoordinatesWithTooFewDigitsForItsEdges) {
+  SurfaceMesh plate = make_shape("plate?n=10");
+  const auto moved = [&](double far) {
+    SurfaceMesh mesh = plate;
+    for (Vec3& p : mesh.positions) p.x() += far;
+    return mesh;
+  };
+  EXPECT_THROW(remeshed(moved(1e15), 0.03), Error);
+  EXPECT_THROW(remeshed(moved(1e13), 0.016), Error);
+  const auto count = [&](double far) {
+    return static_cast<double>(remeshed(moved(far), 0.032).triangles.size());
+  };
+  EXPECT_NEAR(count(1e13) / count(0), 1, 0.05);
 }
 
 TEST(Remesh, RefusesTargetsThatAreNoLengthOrTooFine) {

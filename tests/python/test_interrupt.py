@@ -59,6 +59,16 @@ class Progress(Case):
             self.assertGreaterEqual(load, 0)
         self.assertEqual(calls[0][0], "repair")
 
+    def test_fractions_end_at_one_in_every_phase(self):
+        calls = []
+        result = craze.crack(craze.shape("cube?n=4"), "mud", max_cracks=20, **KEEP,
+                             progress=lambda *told: calls.append(told))
+        result.opened(gap=0.05, wall=0.05)
+        result.bake(64, maps=["height"])
+        known = {phase: fraction for phase, fraction, _, _ in calls if fraction is not None}
+        self.assertLessEqual({"repair", "prepare", "open", "maps"}, set(known))
+        self.assertEqual(set(known.values()), {1})
+
     def test_what_it_raises_comes_out(self):
         for raised in (Stop, SystemExit, KeyboardInterrupt):
             def progress(*_, raised=raised):

@@ -104,6 +104,18 @@ class Scene(Case):
         found = craze.read(cracked).vertex_attributes["number"]
         self.assertGreater(found.max(), 0.99 * number.max())  # the last part's; welded ones have one
 
+    def test_new_attributes_of_many_columns_are_kept_one_by_one(self):
+        mesh = craze.read(self.given)
+        wide = np.arange(6.0 * len(mesh.vertices)).reshape(-1, 6)
+        mesh.vertex_attributes["wide"] = wide
+        mesh.write(self.path / "wide.glb")
+        kept = craze.read(self.path / "wide.glb").vertex_attributes
+        for i in range(6):
+            self.assertTrue(np.array_equal(kept[f"wide_{i}"], wide[:, i]))
+        cracked = self.path / "cracked.glb"
+        craze.crack(mesh, "glaze", 3, max_cracks=2, **SETTINGS).write(cracked)
+        self.assertIn("wide_5", craze.read(cracked).vertex_attributes)
+
     def test_another_surface_and_copies_are_meshes_alone(self):
         mesh = craze.read(self.given)
         mesh.uv = np.array(mesh.uv) * 2

@@ -28,7 +28,7 @@ TEST(Presets, AMisspeltNameIsMet) {
     find_preset("glaize");
     FAIL();
   } catch (const Error& e) {
-    EXPECT_STREQ(e.what(), "unknown preset glaize: did you mean glaze?");
+    EXPECT_STREQ(e.what(), "unknown preset (glaize): did you mean glaze?");
     EXPECT_EQ(e.kind(), ErrorKind::usage);
   }
 }

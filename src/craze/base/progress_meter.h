@@ -1,7 +1,9 @@
-// Progress and cancellation of a loop that cannot stop halfway.
+// Progress and cancellation of a loop that cannot stop halfway, and progress of parts of a phase.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <string_view>
 
 #include "craze/context.h"
@@ -21,6 +23,8 @@ class ProgressMeter {
   void at(std::size_t done) {
     if (done >= next_) look(done);
   }
+  /// All are done. Throws Cancelled.
+  void finish() { look(total_); }
 
  private:
   void look(std::size_t done) {
@@ -37,5 +41,18 @@ class ProgressMeter {
   std::string_view phase_;
   std::size_t total_, step_, next_ = 0;
 };
+
+/// Whatever is reported through it is told to `context` as `phase`, between the fractions `from`
+/// and `to`, and never less than before. `context` and the text of `phase` must outlive it.
+inline Context phase_part(const Context& context, std::string_view phase, double from, double to) {
+  Context part = context;
+  const auto reached = std::make_shared<double>(0);
+  part.progress = [&context, phase, from, to, reached](const Progress& p) {
+    *reached = std::max(*reached, std::min(p.fraction, 1.0));
+    const double fraction = *reached < 1 ? from + (to - from) * *reached : to;
+    context.report({phase, fraction, p.cracks, p.triangles, p.load});
+  };
+  return part;
+}
 
 }  // namespace craze

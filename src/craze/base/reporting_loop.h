@@ -13,9 +13,9 @@
 namespace craze {
 
 /// parallel_for over [0, n) in chunks of `grain`, a slice of about a tenth of a second at a time.
-/// Between two slices, in the caller's thread, reports `phase` with the fraction done and throws
-/// Cancelled where the context says so. How the range is sliced depends on the machine: the body
-/// must write to its own indices alone, whatever the chunk.
+/// After each, in the caller's thread, reports `phase` with the fraction done; between two it
+/// throws Cancelled where the context says so. How the range is sliced depends on the machine: the
+/// body must write to its own indices alone, whatever the chunk.
 inline void reporting_loop(const Context& context, std::string_view phase, std::size_t n,
                            std::size_t grain,
                            const std::function<void(std::size_t, std::size_t)>& body) {
@@ -33,8 +33,7 @@ inline void reporting_loop(const Context& context, std::string_view phase, std::
     if (took < short_slice) chunks *= 2;
     if (took > long_slice) chunks = std::max(fewest, chunks / 2);
     begin = end;
-    if (begin == n) break;
-    context.check();
+    if (begin < n) context.check();
     context.report({phase, static_cast<double>(begin) / static_cast<double>(n)});
   }
 }

@@ -51,6 +51,7 @@ MeshFile read_mesh(std::string_view bytes, const std::string& name, const FileLo
   MeshFile file;
   file.mesh = format->read(
       {bytes, name, files, context, file.warnings, file.textures, file.scene, &file.looks});
+  context.report({"load", 1});
   return file;
 }
 

@@ -162,6 +162,7 @@ std::string format_mesh(const SurfaceMesh& mesh, std::string_view format,
   ByteSink sink([&](std::string_view part) { bytes += part; });
   checked_format(mesh, format, std::string(format), options).write(mesh, options, sink, context);
   sink.flush();
+  context.report({"write", 1});
   return bytes;
 }
 
@@ -200,6 +201,7 @@ void write_mesh(const std::filesystem::path& path, const SurfaceMesh& mesh,
     write_file(library.file, library.text, "cannot write the materials", context);
   }
   file.finish();
+  context.report({"write", 1});
 }
 
 }  // namespace craze

@@ -177,12 +177,8 @@ void check_request(const RunRequest& request) {
   check_growth(request);
   if (request.as_maps) check_mapped(request);
   render::find_material(request.recipe.picture.material);
-  if (!request.environment.empty() && !takes_pictures(request)) {
-    throw Error(ErrorKind::usage, "nothing would be lit", "--environment",
-                "no picture is asked for; give --picture, --frames or --video");
-  }
   if (places.empty() && request.report.empty() && request.frames.empty()) {
-    throw Error(ErrorKind::usage, "nothing to write", "",
+    throw Error(ErrorKind::usage, "nothing to write", request.input,
                 "give -o FILE, or one of --lines, --picture, --frames, --video, --maps, --fields, "
                 "--report");
   }

@@ -131,7 +131,7 @@ const Figure& find_figure(const std::string& name_or_number) {
   }
   const std::string nearest = nearest_name(name_or_number, names);
   throw Error(
-      ErrorKind::usage, "unknown figure " + name_or_number, "",
+      ErrorKind::usage, "unknown figure", name_or_number,
       nearest.empty() ? "craze figures --help lists them" : "did you mean " + nearest + "?");
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "craze/base/progress_meter.h"
 #include "craze/error.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/output_place.h"
@@ -57,17 +58,6 @@ class Photographer {
   render::CrackLines lines_;
 };
 
-/// The context of one frame of several, which reports how far all of them are.
-Context of_frame(const Context& context, int frame, int frames) {
-  Context inner = context;
-  // A frame is a step or two, whose fractions all begin at 0.
-  inner.progress = [&context, frame, frames, part = 0.0](const Progress& p) mutable {
-    part = std::max(part, p.fraction);
-    context.report({"frames", (frame + part) / frames});
-  };
-  return inner;
-}
-
 void make_folder(const std::string& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
@@ -92,7 +82,8 @@ void write_frames(const RunRequest& request, const GrowthScene& scene,
   for (int i = 0; i < request.frame_count; ++i) {
     context.check();
     const double time = request.frame_count > 1 ? i / (request.frame_count - 1.0) : 1;
-    const Context frame = of_frame(context, i, request.frame_count);
+    const double frames = request.frame_count;
+    const Context frame = phase_part(context, "frames", i / frames, (i + 1) / frames);
     frame.report({});
     const fs::path path =
         fs::path(request.frames) / fmt::format("frame_{:04}.{}", i, request.frame_format);
@@ -106,6 +97,7 @@ void write_frames(const RunRequest& request, const GrowthScene& scene,
       write_mesh(path, mesh_at(scene, time), {}, frame);
     }
   }
+  context.report({"frames", 1});
   if (video) video->finish(context);
 }
 

@@ -11,14 +11,17 @@
 #include "craze/job/growth_frames.h"
 #include "craze/job/maps/mapped_output.h"
 #include "craze/job/maps/scene_uvs.h"
+#include "craze/mesh/corners_on_surface.h"
 #include "craze/mesh/morph_animation.h"
 #include "craze/output/write_surface.h"
 #include "craze/products/crack_lines.h"
 #include "craze/products/cut_surface.h"
 #include "craze/products/field_mesh.h"
 #include "craze/products/growth/growth.h"
+#include "craze/products/opening/opened_origin.h"
 #include "craze/products/opening/shading_normals.h"
 #include "craze/products/statistics/graph/graph_input.h"
+#include "craze/recipe/own_lengths.h"
 #include "craze/render/picture.h"
 #include "craze/render/png.h"
 #include "craze/write_mesh.h"
@@ -27,14 +30,27 @@ namespace craze {
 
 namespace {
 
+/// Those at the corners of the surface that is shown.
+std::vector<std::vector<Vec2>> shown_uvs(std::vector<std::vector<Vec2>> sets, const Result& result,
+                                         const OpenedSurface& shown) {
+  if (sets.empty()) return sets;
+  const SurfaceOrigin origin = opened_origin(result, shown);
+  for (std::vector<Vec2>& uvs : sets) {
+    if (!uvs.empty()) uvs = uvs_on_surface(uvs, origin);
+  }
+  return sets;
+}
+
 /// Whether anything is written that shows the mesh itself; a report only counts it.
 bool shows_mesh(const RunRequest& request) {
   const bool is_cut = !request.output.empty() && !request.as_maps;
   return is_cut || !(request.picture.empty() && request.frames.empty() && request.video.empty());
 }
 
-render::PictureOptions picture_options(const RunRequest& request, const BesideSurface& beside) {
+render::PictureOptions picture_options(const RunRequest& request, const Yardstick& yardstick,
+                                       const BesideSurface& beside) {
   render::PictureOptions options = request.shot;
+  options.line_width = own_length(request.line_width, yardstick, "--line-width");
   options.looks = beside.looks;
   options.environment.environment = beside.environment;
   options.material = render::find_material(request.recipe.picture.material);
@@ -104,7 +120,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
                                                        const Result& result,
                                                        const BesideSurface& beside, Report& report,
                                                        const Context& context) {
-  const render::PictureOptions picture = picture_options(request, beside);
+  render::PictureOptions picture = picture_options(request, result.state().run->yardstick, beside);
   const auto warn = [&report](const std::string& warning) { report.warnings.push_back(warning); };
   const std::optional<SceneUvs> uvs = uvs_of_scene(request, result, beside.source, warn, context);
   SourceFile source = beside.source;
@@ -115,6 +131,7 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   context.check();
   const OpenedSurface shown = opened_surface(result, std::move(cut), std::move(times),
                                              result.report().recipe.post, context);
+  if (takes_pictures(request)) picture.further_uvs = shown_uvs(beside.further_uvs, result, shown);
   report.output = count_mesh(shown.mesh);
   if (shows_mesh(request)) {
     report.warnings.insert(report.warnings.end(), shown.warnings.begin(), shown.warnings.end());

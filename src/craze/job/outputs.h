@@ -18,6 +18,7 @@ namespace craze {
 struct BesideSurface {
   SourceFile source;
   std::vector<render::Look> looks;  ///< what pictures show of it; empty: their own material
+  std::vector<std::vector<Vec2>> further_uvs;  ///< that the looks read: 3 #F of the input each
   std::shared_ptr<const render::Environment> environment;  ///< what lights them; null: the studio
 };
 

@@ -9,7 +9,6 @@
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/gltf/scene/gltf_document.h"
 #include "craze/job/load_surface.h"
-#include "craze/job/load_textures.h"
 #include "craze/job/maps/made_uvs.h"
 #include "craze/job/maps/scene_uvs.h"
 #include "craze/job/material_looks.h"
@@ -17,6 +16,7 @@
 #include "craze/model/simulation.h"
 #include "craze/output/named_nodes.h"
 #include "craze/products/report_json.h"
+#include "craze/recipe/own_lengths.h"
 #include "craze/render/light/environment_file.h"
 
 namespace craze {
@@ -50,7 +50,13 @@ Loaded load(const RunRequest& request, const Context& context) {
   MeshFile file = load_surface(request.input, context);
   loaded.warnings = std::move(file.warnings);
   if (takes_pictures(request) && !request.plain) {
-    loaded.beside.looks = material_looks(file.looks, request.input, loaded.warnings, context);
+    // Of a mesh that is not made of the input's triangles the first set alone is known.
+    const bool all = request.recipe.mesh.output == OutputMesh::asset;
+    loaded.beside.looks = material_looks(file.looks, request.input, loaded.warnings, context,
+                                         all ? ShownUvs::all : ShownUvs::first);
+    if (all && !loaded.beside.looks.empty()) {
+      loaded.beside.further_uvs = further_uvs(file, loaded.warnings);
+    }
   }
   if (takes_pictures(request) && !request.environment.empty()) {
     loaded.beside.environment = render::read_environment(request.environment, context);
@@ -58,7 +64,7 @@ Loaded load(const RunRequest& request, const Context& context) {
   loaded.beside.source = {request.input, std::move(file.looks), std::move(file.scene)};
   input.name = request.input;
   input.surface = std::make_shared<const SurfaceMesh>(std::move(file.mesh));
-  input.textures = load_textures(request.recipe, context);
+  input.textures = load_textures(request.recipe, request.textures, context);
   return loaded;
 }
 
@@ -89,6 +95,9 @@ RunResult run(const RunRequest& request, const Context& context) {
       request.recipe.mesh.output == OutputMesh::simulation) {
     check_first_uvs(*document);
   }
+  // Before the run, not after it.
+  const SurfaceMesh& surface = *loaded.input.surface;
+  own_length(request.line_width, {1, metres_per_unit(surface, request.recipe)}, "--line-width");
   const double load_time = phase.lap();
 
   const Recipe recipe =

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "craze/context.h"
+#include "craze/job/load_textures.h"
 #include "craze/job/maps/write_maps.h"
+#include "craze/length.h"
 #include "craze/products/maps/pictures/crack_pictures.h"
 #include "craze/recipe.h"
 #include "craze/render/picture.h"
@@ -18,6 +20,7 @@ namespace craze {
 struct RunRequest {
   std::string input;  ///< a file, or "shape:NAME?key=value&…"
   Recipe recipe;
+  TextureFolder textures;  ///< of the recipe's file
   /// Crack events to stop after; unlike evolution.max_cracks, 0 means none: the initial state.
   std::optional<std::int64_t> max_cracks;
 
@@ -34,6 +37,7 @@ struct RunRequest {
   bool split_fragments = false;      ///< `output`, not .ply or .stl, has an object per fragment
   /// How pictures are taken. Material and upward axis are the recipe's.
   render::PictureOptions shot;
+  Length line_width = 0;    ///< of cracks in pictures, instead of the shot's; 0: by the size
   std::string environment;  ///< the file of the picture that lights them; empty: the studio
   /// `output`, .glb, is the input's scene with the cracks in its materials' pictures alone.
   bool as_maps = false;

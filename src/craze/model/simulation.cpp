@@ -313,7 +313,7 @@ void Simulation::check_state() const {
   for (const Vec4d& f : field().forces()) sum += 0 * (f[0] + f[1] + f[2]);
   for (const Element& e : field().elements()) sum += 0 * (e.t[0] + e.t[1] + e.t[2]);
   if (sum == 0) return;
-  throw Error(ErrorKind::request, "the simulation has left the range of numbers", "",
+  throw Error(ErrorKind::request, "the simulation has left the range of numbers", "stress",
               "its stress is not finite; look for a stress, length or toughness far from the others"
               " in size");
 }

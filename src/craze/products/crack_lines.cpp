@@ -78,6 +78,7 @@ LineSet crack_lines(const Result& result, const Context& context) {
     width.values.push_back(edge.width);
     event.values.push_back(static_cast<double>(edge.event));
   }
+  meter.finish();
   lines.point_attributes = {std::move(junction), std::move(normal)};
   lines.edge_attributes = {std::move(time), std::move(width), std::move(event)};
   if (!state.surface->corner_uvs.empty()) add_uvs(lines, state);

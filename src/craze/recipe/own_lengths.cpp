@@ -27,6 +27,19 @@ void for_each_foreign_length(const Recipe& recipe, Visit&& visit) {
   });
 }
 
+bool is_of_world(const Length& length) {
+  return length.unit() != LengthUnit::own && length.unit() != LengthUnit::percent;
+}
+
+[[noreturn]] void fail_unknown_unit(const Length& length, const std::string& name,
+                                    const char* instead) {
+  throw Error(
+      ErrorKind::request, "the mesh's unit is not known", name,
+      fmt::format("{} cannot be measured on it; give {}a bare number in the mesh's unit, or "
+                  "a percentage of its diagonal",
+                  format_length(length), instead));
+}
+
 double own_number(const Length& length, const Yardstick& yardstick) {
   if (length.unit() == LengthUnit::percent) return length.number() / 100 * yardstick.diagonal;
   return length.number() * (metres(length.unit()) / yardstick.metres_per_unit);
@@ -40,14 +53,16 @@ double metres_per_unit(const SurfaceMesh& mesh, const Recipe& recipe) {
 
 void check_units(const Recipe& recipe, double metres_per_unit) {
   if (metres_per_unit > 0) return;
-  for_each_foreign_length(recipe, [](const Parameter&, std::size_t, const std::string& key,
-                                     const Length& length) {
-    if (length.unit() == LengthUnit::percent) return;
-    throw Error(ErrorKind::request, "the mesh's unit is not known", key,
-                fmt::format("{} cannot be measured on it; give mesh.unit, such as mm, or a bare "
-                            "number in the mesh's unit, or a percentage of its diagonal",
-                            format_length(length)));
-  });
+  for_each_foreign_length(
+      recipe, [](const Parameter&, std::size_t, const std::string& key, const Length& length) {
+        if (is_of_world(length)) fail_unknown_unit(length, key, "mesh.unit, such as mm, or ");
+      });
+}
+
+double own_length(const Length& length, const Yardstick& yardstick, const std::string& name) {
+  if (length.unit() == LengthUnit::own) return length.number();
+  if (is_of_world(length) && yardstick.metres_per_unit == 0) fail_unknown_unit(length, name, "");
+  return own_number(length, yardstick);
 }
 
 Recipe with_own_lengths(Recipe recipe, const Yardstick& yardstick) {

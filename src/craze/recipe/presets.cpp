@@ -17,7 +17,7 @@ const Preset& find_preset(const std::string& name) {
     names.emplace_back(preset.name);
   }
   const std::string nearest = nearest_name(name, names);
-  throw Error(ErrorKind::usage, "unknown preset " + name, "",
+  throw Error(ErrorKind::usage, "unknown preset", name,
               nearest.empty() ? "craze presets lists them" : "did you mean " + nearest + "?");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/progress_meter.h"
 #include "craze/base/reporting_loop.h"
 
 namespace craze::render {
@@ -22,7 +23,11 @@ void Film::smooth_light(const Context& context, float pixel_size) {
   for (std::size_t i = 0; i < pixels_.size(); ++i) smoothed_[i] = pixels_[i].light;
   // A filter with holes, growing: [Dammertz et al. 2010, "Edge-avoiding à-trous wavelet
   // transform"].
-  for (const int step : {1, 2, 4}) smooth_once(context, pixel_size, step);
+  double part = 0;
+  for (const int step : {1, 2, 4}) {
+    smooth_once(phase_part(context, "develop", part, part + 0.25), pixel_size, step);
+    part += 0.25;
+  }
 }
 
 void Film::smooth_once(const Context& context, float pixel_size, int step) {
@@ -69,7 +74,8 @@ void Film::smooth_once(const Context& context, float pixel_size, int step) {
 Image Film::develop(float exposure, const Context& context) const {
   Image image{width_, height_, std::vector<std::uint8_t>(3 * pixels_.size())};
   constexpr std::size_t grain = 4096;
-  reporting_loop(context, "develop", pixels_.size(), grain,
+  const double smoothing = smoothed_.empty() ? 0 : 0.75;
+  reporting_loop(phase_part(context, "develop", smoothing, 1), "develop", pixels_.size(), grain,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t i = begin; i < end; ++i) {
                      const Pixel& p = pixels_[i];

@@ -53,6 +53,7 @@ bool encode(std::string& file, const Image& image, const Context& context) {
   }
   png_write_end(png, info);
   png_destroy_write_struct(&png, &info);
+  context.report({"write", 1});
   return true;
 }
 

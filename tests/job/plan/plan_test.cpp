@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "craze/error.h"
+#include "craze/length.h"
 
 namespace craze {
 namespace {
@@ -111,6 +112,62 @@ TEST(Plan, TheRecipeIsThePresetWithTheKeysDrawn) {
   EXPECT_EQ(recipe_of(p, p.draw(7), 99), r);
 }
 
+/// The millimetres of a value of a length.
+double millimetres(const PlanValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  EXPECT_TRUE(text && text->ends_with("mm")) << plan_text(value);
+  return text ? std::stod(*text) : 0;
+}
+
+TEST(Plan, LengthsAreDrawnWithTheirUnits) {
+  const Plan p = plan(
+      "[recipe.layer]\nspacing = {uniform = [\"2mm\", \"0.5cm\"]}\n[recipe.mesh]\nunit = \"cm\"\n"
+      "edge = {log_uniform = [\"0.1mm\", \"1mm\"]}\n[recipe.post]\n"
+      "gap_width = {normal = [\"1mm\", \"0.2mm\"], within = [0, \"0.2cm\"]}\n"
+      "thickness = {linked = \"recipe.layer.spacing\", factor = 2, offset = \"0.1cm\"}\n");
+  double sum = 0;
+  constexpr int n = 400;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const PlanValues v = p.draw(i);
+    const double spacing = millimetres(v.at("recipe.layer.spacing"));
+    const double edge = millimetres(v.at("recipe.mesh.edge"));
+    const double gap = millimetres(v.at("recipe.post.gap_width"));
+    EXPECT_TRUE(spacing >= 2 && spacing < 5 && edge >= 0.1 && edge <= 1 && gap >= 0 && gap <= 2);
+    EXPECT_DOUBLE_EQ(millimetres(v.at("recipe.post.thickness")), 2 * spacing + 1);
+    sum += spacing / n;
+  }
+  EXPECT_NEAR(sum, 3.5, 4 * 3 / std::sqrt(12.0 * n));
+  const Recipe r = recipe_of(p, p.draw(7), 99);
+  const Length spacing = r.simulation.layer.spacing;
+  EXPECT_EQ(spacing.unit(), LengthUnit::millimetre);
+  EXPECT_TRUE(spacing.number() >= 2 && spacing.number() < 5);
+  // Percentages too, and what had no unit is drawn as before.
+  EXPECT_TRUE(plan_text(plan("recipe.layer.spacing = {uniform = [\"2%\", \"5%\"]}")
+                            .draw(0)
+                            .at("recipe.layer.spacing"))
+                  .ends_with("%"));
+}
+
+TEST(Plan, LengthsOfOneLawAreOfOneKind) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"recipe.layer.spacing = {uniform = [\"2mm\", 5]}", "do not convert"},
+      {"recipe.layer.spacing = {uniform = [\"2mm\", \"5%\"]}", "do not convert"},
+      {"recipe.layer.spacing = {uniform = [\"2cm\", \"5mm\"]}", "the smaller number first"},
+      {"recipe.layer.spacing = {uniform = [\"2mm\", \"5 apples\"]}", "such as \"4mm\""},
+      {"recipe.layer.spacing = {normal = [\"2mm\", \"1mm\"], within = [1, 2]}", "do not convert"},
+      {"recipe.layer.spacing = {linear = [\"2mm\", \"5mm\", \"3mm\"]}", "must be a finite number"},
+      {"recipe.layer.spacing = {uniform = [\"-2mm\", \"5mm\"]}", "layer.spacing"},
+      {"recipe.stress.noise = {uniform = [\"2mm\", \"5mm\"]}", "stress.noise"},
+      {"camera.zoom = {uniform = [\"2mm\", \"5mm\"]}", "must be a number"},
+      {"[recipe.layer]\nspacing = {linked = \"recipe.post.gap_width\", offset = \"1%\"}\n"
+       "[recipe.post]\ngap_width = {uniform = [\"1mm\", \"2mm\"]}",
+       "do not convert"}};
+  for (const auto& [text, why] : cases) {
+    EXPECT_NE(refusal(text).find(why), std::string::npos) << text << ": " << refusal(text);
+    EXPECT_NE(refusal(text).find("p.toml:"), std::string::npos) << refusal(text);
+  }
+}
+
 TEST(Plan, AxesAreReadAsListsAndAsEvenSteps) {
   const Plan p = plan("camera.zoom = {log = [0.1, 10, 3]}\ncamera.tilt = {linear = [0, 9, 4]}");
   const auto values = [&](std::size_t i) {
@@ -120,6 +177,12 @@ TEST(Plan, AxesAreReadAsListsAndAsEvenSteps) {
   EXPECT_EQ(std::get<double>(values(1)[0]), 0.1);
   EXPECT_NEAR(std::get<double>(values(1)[1]), 1, 1e-15);
   EXPECT_EQ(std::get<double>(values(2)[1]), 3);
+  const Plan lengths = plan("recipe.layer.spacing = {linear = [\"2mm\", \"1cm\", 3]}");
+  std::string texts;
+  for (const PlanValue& v : std::get<Axis>(lengths.entries().back().distribution).values) {
+    texts += plan_text(v) + " ";
+  }
+  EXPECT_EQ(texts, "2mm 6mm 10mm ");
 }
 
 TEST(Plan, HostilePlansAreRefusedInOneLineWithThePlace) {

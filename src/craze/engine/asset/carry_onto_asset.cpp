@@ -166,6 +166,7 @@ CrackedAsset carry_onto_asset(const SurfaceMesh& asset, const SimulatedCracks& c
   result.displacement = carry_field(
       result.cut, positions_on(result.cut, asset, smooth.positions), result.curves,
       {cracked.mesh, cracked.displacement, cracked.parts, sides, cracked.rough != nullptr});
+  reached(1);
   return result;
 }
 

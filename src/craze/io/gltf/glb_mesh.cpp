@@ -87,10 +87,7 @@ class MeshWriter {
 
   void write_attribute(const Attribute& a) {
     next_step();
-    const bool fits = a.components <= 4;
-    const int n = fits ? a.components : 1;
-    for (int first = 0; first < a.components; first += n) {
-      std::string name = glb_attribute_name(fits ? a.name : a.name + "_" + std::to_string(first));
+    for (auto& [name, first, n] : glb_columns(a)) {
       while (attributes_.contains(name)) name += '_';
       std::vector<float> numbers;
       numbers.reserve(static_cast<std::size_t>(n) * unified_.sources.size());
@@ -156,6 +153,15 @@ class MeshWriter {
 };
 
 }  // namespace
+
+std::vector<GlbColumns> glb_columns(const Attribute& a) {
+  if (a.components <= 4) return {{glb_attribute_name(a.name), 0, a.components}};
+  std::vector<GlbColumns> columns;
+  for (int i = 0; i < a.components; ++i) {
+    columns.push_back({glb_attribute_name(a.name + "_" + std::to_string(i)), i, 1});
+  }
+  return columns;
+}
 
 std::string glb_attribute_name(const std::string& name) {
   std::string result = "_";

@@ -17,6 +17,16 @@ namespace craze {
 /// "_CRACK_DISTANCE" for "crack distance".
 std::string glb_attribute_name(const std::string& name);
 
+/// Columns of an attribute that are one accessor, of which none has more than four.
+struct GlbColumns {
+  std::string name;  ///< glTF's
+  int first = 0, components = 1;
+};
+
+/// The accessors of an attribute: one, or where it has more than four columns one for each,
+/// numbered NAME_0, NAME_1 …
+std::vector<GlbColumns> glb_columns(const Attribute& attribute);
+
 /// The materials of a file, numbered as they are first asked for.
 class GlbMaterials {
  public:

@@ -2,9 +2,11 @@
 #include "craze/io/gltf/gltf.h"
 #include "craze/mesh/morph_animation.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "craze/base/progress_meter.h"
 #include "craze/io/gltf/glb_buffer.h"
 #include "craze/io/gltf/glb_mesh.h"
 #include "craze/io/gltf/growth_clip.h"
@@ -38,6 +40,7 @@ class GlbWriter {
   GlbWriter(const SurfaceMesh& mesh, const MeshFileOptions& options, const Context& context)
       : options_(options),
         context_(context),
+        triangles_(std::max(1.0, static_cast<double>(mesh.triangles.size()))),
         library_(material_library(options.scene.get(), mesh)),
         materials_(library_) {}
 
@@ -91,8 +94,10 @@ class GlbWriter {
                 const Vec3& origin, const std::vector<MorphStage>& stages) {
     if (context_.is_cancelled()) throw Cancelled();
     nodes_.push_back(std::move(node));
-    meshes_.push_back(
-        glb_mesh(mesh, std::move(unified), origin, stages, buffer_, materials_, context_));
+    const auto part = static_cast<double>(mesh.triangles.size()) / triangles_;
+    meshes_.push_back(glb_mesh(mesh, std::move(unified), origin, stages, buffer_, materials_,
+                               phase_part(context_, "write", written_, written_ + part)));
+    written_ += part;
   }
 
   void add_parts(const SurfaceMesh& mesh) {
@@ -123,12 +128,14 @@ class GlbWriter {
 
   /// Each below the node of its solid.
   void add_colliders(ordered_json& root) {
+    Context silent = context_;
+    silent.progress = nullptr;
     for (const SolidCollider& collider : colliders_) {
       if (collider.hull.triangles.empty()) continue;
       root["nodes"][collider.of]["children"] = ordered_json::array({root["nodes"].size()});
       root["nodes"].push_back({{"name", collider.name}, {"mesh", meshes_.size()}});
       meshes_.push_back(glb_mesh(collider.hull, unify_corners(collider.hull), Vec3::Zero(), {},
-                                 buffer_, materials_, context_));
+                                 buffer_, materials_, silent));
       meshes_.back()["name"] = collider.name;
     }
   }
@@ -186,6 +193,8 @@ class GlbWriter {
 
   const MeshFileOptions& options_;
   const Context& context_;
+  const double triangles_;
+  double written_ = 0;  // share of them
   GlbBuffer buffer_;
   MaterialLibrary library_;
   GlbMaterials materials_;

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "craze/base/progress_meter.h"
 #include "craze/base/version.h"
 #include "craze/error.h"
 #include "craze/io/bytes/sha256.h"
@@ -17,8 +18,10 @@
 #include "craze/job/dataset/shards/coco.h"
 #include "craze/job/dataset/shards/croissant.h"
 #include "craze/job/dataset/shards/shard_files.h"
+#include "craze/job/load_textures.h"
 #include "craze/output/source_file.h"
 #include "craze/recipe/json_table.h"
+#include "craze/recipe/set_key.h"
 #include "craze/recipe/toml_text.h"
 
 namespace craze {
@@ -133,7 +136,21 @@ std::size_t offset_of(const std::string& text, const toml::source_position& plac
   return at;
 }
 
-/// Before hours of work: whether the meshes that samples may draw are there.
+/// Before hours of work: whether the pictures that samples may draw are there.
+void check_textures(const DatasetPlan& plan) {
+  const std::string recipe_prefix = "recipe.";
+  for (const PlanEntry& entry : plan.plan.entries()) {
+    if (!entry.key.starts_with(recipe_prefix) || !entry.key.ends_with("texture")) continue;
+    for (const PlanValue& value : extremes(entry.distribution)) {
+      Recipe recipe;
+      set_key(recipe, entry.key.substr(recipe_prefix.size()), plan_text(value), entry.where);
+      const TextureFolder beside = texture_folder(plan.source.folder, recipe);
+      for (const NamedTexture& texture : named_textures(recipe)) find_texture(texture, beside);
+    }
+  }
+}
+
+/// The same of meshes.
 void check_objects(const DatasetPlan& plan) {
   for (const PlanEntry& entry : plan.plan.entries()) {
     if (entry.key != "object.mesh") continue;
@@ -172,13 +189,21 @@ DatasetResult make_dataset(const PlanSource& source, const fs::path& folder, Sha
                            const Context& context) {
   const DatasetPlan plan(source);
   check_objects(plan);
+  check_textures(plan);
   claim_plan_folder(folder, source, "dataset", context);
   DatasetResult result{plan.shape.samples, plan.shape.shards()};
+  std::vector<std::uint64_t> wanted;
   for (std::uint64_t s = 0; s < result.shards; ++s) {
-    if (!shard.has(s) || read_mark(plan.shape, folder, s)) continue;
-    write_shard(plan, folder, s, context);
+    if (shard.has(s) && !read_mark(plan.shape, folder, s)) wanted.push_back(s);
+  }
+  const auto share = 1 / static_cast<double>(wanted.size());
+  for (const std::uint64_t s : wanted) {
+    const auto before = static_cast<double>(result.shards_made);
+    write_shard(plan, folder, s,
+                phase_part(context, "dataset", before * share, (before + 1) * share));
     ++result.shards_made;
   }
+  if (!wanted.empty()) context.report({"dataset", 1});
   for (std::uint64_t s = 0; s < result.shards; ++s) {
     if (!read_mark(plan.shape, folder, s)) ++result.shards_left;
   }
@@ -201,6 +226,7 @@ std::vector<std::string> verify_dataset(const fs::path& folder, const Context& c
       ShardCheck(plan, folder, name, faults).run(paths, *mark);
     }
   }
+  context.report({"verify", 1});
   std::error_code failed;
   const bool whole = faults.empty();
   for (const char* file : {"coco.json", "croissant.json", "dataset.json"}) {

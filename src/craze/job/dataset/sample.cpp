@@ -216,7 +216,7 @@ Sample make_sample(const DatasetPlan& plan, std::uint64_t index, const Context& 
       if (!clean && static_cast<double>(seen) < number_of(values, "label.min_pixels")) continue;
       return finished(plan, index, attempt, name, values, scene, labels, clean, context);
     } catch (const Error& e) {
-      throw Error(e.kind(), "sample " + sample_id(index), "", e.what());
+      throw Error(e.kind(), "cannot make a sample", sample_id(index), e.what());
     }
   }
   throw Error(ErrorKind::request, "the plan yields no crack that is seen",

@@ -245,6 +245,7 @@ MeshCounts write_mapped(const Result& result, const SceneUvs* uvs,
   }
   write_file(output.path, format_with_pictures(*mapped.document, maps.made(), context),
              "cannot write mesh", context);
+  context.report({"write", 1});
   return count_mesh(surface);
 }
 

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "craze/base/random.h"
+#include "craze/length.h"
 
 namespace craze {
 
@@ -17,19 +19,32 @@ using PlanValue = std::variant<double, std::string>;
 /// As a recipe's text has it: the shortest number that reads back the same; texts as they are.
 std::string plan_text(const PlanValue& value);
 
+/// A number; or a text that is a length with a unit. None: another text.
+std::optional<Length> plan_length(const PlanValue& value);
+
+/// That length as a value.
+PlanValue plan_value(const Length& length);
+
+/// The number of it in that unit; 0 is 0 in all. None where they do not convert into each other.
+std::optional<double> in_unit(const Length& length, LengthUnit unit);
+
 struct Constant {
   PlanValue value;
 };
+// Laws of lengths draw numbers of `unit`; their values are texts then: "3.2mm".
 struct Uniform {
   double low, high;  ///< low <= high
+  LengthUnit unit = LengthUnit::own;
 };
 /// Its logarithm is uniform.
 struct LogUniform {
   double low, high;  ///< 0 < low <= high
+  LengthUnit unit = LengthUnit::own;
 };
 /// Drawn again until within; what is still outside after many tries is the nearer end.
 struct Normal {
   double mean, deviation, low, high;
+  LengthUnit unit = LengthUnit::own;
 };
 struct Choice {
   std::vector<PlanValue> values;  ///< not empty
@@ -38,7 +53,8 @@ struct Choice {
 /// Goes with another key: offset + factor × its number, or the value that its text maps to.
 struct Linked {
   std::string key;
-  double factor = 1, offset = 0;
+  double factor = 1;
+  Length offset = 0;
   std::map<std::string, PlanValue> map;  ///< not empty: by text
 };
 /// An axis of a grid: every value comes once with every value of the others.

@@ -9,6 +9,7 @@
 
 #include "craze/base/elementary.h"
 #include "craze/error.h"
+#include "craze/recipe/length_text.h"
 #include "craze/recipe/nearest_name.h"
 
 namespace craze {
@@ -27,13 +28,13 @@ class Reader {
     if (!table) return Constant{value(node)};
     const std::string kind = kind_of(*table, axes);
     if (kind == "uniform") {
-      const auto [low, high] = range(*table, "uniform");
-      return Uniform{low, high};
+      const auto [ends, unit] = range(*table, "uniform");
+      return Uniform{ends[0], ends[1], unit};
     }
     if (kind == "log_uniform") {
-      const auto [low, high] = range(*table, "log_uniform");
-      if (!(low > 0)) fail(*table, "log_uniform needs numbers above 0");
-      return LogUniform{low, high};
+      const auto [ends, unit] = range(*table, "log_uniform");
+      if (!(ends[0] > 0)) fail(*table, "log_uniform needs numbers above 0");
+      return LogUniform{ends[0], ends[1], unit};
     }
     if (kind == "normal") return normal(*table);
     if (kind == "choice") return choice(*table);
@@ -78,30 +79,76 @@ class Reader {
     return *x;
   }
 
-  std::vector<double> numbers(const toml::table& table, const char* word, std::size_t count) const {
+  /// A number, or a length with its unit.
+  Length length(const toml::node& node) const {
+    const auto* text = node.as_string();
+    if (!text) return number(node);
+    const auto length = parse_length(text->get());
+    if (!length || !std::isfinite(length->number())) {
+      fail(node, "must be a finite number, or a length such as \"4mm\"");
+    }
+    return *length;
+  }
+
+  const toml::array& brackets(const toml::table& table, const char* word, std::size_t count) const {
     const toml::node& node = *table.get(word);
     const auto* array = node.as_array();
-    if (!array || (count && array->size() != count)) {
+    if (!array || array->size() != count) {
       fail(node, fmt::format("{} needs {} numbers in brackets", word, count));
     }
+    return *array;
+  }
+
+  std::vector<double> numbers(const toml::table& table, const char* word, std::size_t count) const {
     std::vector<double> result;
-    for (const toml::node& element : *array) result.push_back(number(element));
+    for (const toml::node& element : brackets(table, word, count)) {
+      result.push_back(number(element));
+    }
     return result;
   }
 
-  std::pair<double, double> range(const toml::table& table, const char* word) const {
-    const std::vector<double> ends = numbers(table, word, 2);
-    if (!(ends[0] <= ends[1])) fail(table, std::string(word) + " needs the smaller number first");
-    return {ends[0], ends[1]};
+  /// Numbers in one unit: that of the first that has one.
+  struct Lengths {
+    std::vector<double> numbers;
+    LengthUnit unit = LengthUnit::own;
+  };
+  Lengths in_one_unit(const std::vector<Length>& lengths, const toml::node& node) const {
+    Lengths result;
+    for (const Length& length : lengths) {
+      if (result.unit == LengthUnit::own) result.unit = length.unit();
+    }
+    for (const Length& length : lengths) {
+      const auto number = in_unit(length, result.unit);
+      if (!number) fail(node, "its units do not convert: give all of them one, or none");
+      result.numbers.push_back(*number);
+    }
+    return result;
+  }
+  Lengths lengths(const toml::table& table, const char* word, std::size_t count) const {
+    std::vector<Length> given;
+    for (const toml::node& element : brackets(table, word, count)) given.push_back(length(element));
+    return in_one_unit(given, *table.get(word));
+  }
+
+  Lengths range(const toml::table& table, const char* word) const {
+    Lengths ends = lengths(table, word, 2);
+    if (!(ends.numbers[0] <= ends.numbers[1])) {
+      fail(table, std::string(word) + " needs the smaller number first");
+    }
+    return ends;
   }
 
   Normal normal(const toml::table& table) const {
-    const std::vector<double> law = numbers(table, "normal", 2);
+    const auto [law, unit] = lengths(table, "normal", 2);
     if (!(law[1] >= 0)) fail(table, "the standard deviation is below 0");
     // Without ends of its own a normal law has those of four deviations: ranges can be checked.
-    double low = law[0] - 4 * law[1], high = law[0] + 4 * law[1];
-    if (table.contains("within")) std::tie(low, high) = range(table, "within");
-    return {law[0], law[1], low, high};
+    if (!table.contains("within")) {
+      return {law[0], law[1], law[0] - 4 * law[1], law[0] + 4 * law[1], unit};
+    }
+    const auto [ends, of_ends] = range(table, "within");
+    const Lengths all = in_one_unit(
+        {{law[0], unit}, {law[1], unit}, {ends[0], of_ends}, {ends[1], of_ends}}, table);
+    return {all.numbers[0], all.numbers[1], all.numbers[2], all.numbers[3], all.unit};
   }
 
   std::vector<PlanValue> values(const toml::node& node) const {
@@ -131,7 +178,7 @@ class Reader {
     if (!table["linked"].is_string()) fail(table, "linked needs the name of a key");
     d.key = *key;
     if (const auto* node = table.get("factor")) d.factor = number(*node);
-    if (const auto* node = table.get("offset")) d.offset = number(*node);
+    if (const auto* node = table.get("offset")) d.offset = length(*node);
     if (const auto* node = table.get("map")) {
       const auto* map = node->as_table();
       if (!map || map->empty()) fail(*node, "map needs a table of values");
@@ -142,8 +189,9 @@ class Reader {
 
   Axis axis(const toml::table& table, const std::string& kind) const {
     if (kind == "values") return {values(*table.get("values"))};
-    const std::vector<double> law = numbers(table, kind.c_str(), 3);
-    const double n = law[2];
+    const toml::array& given = brackets(table, kind.c_str(), 3);
+    const auto [law, unit] = in_one_unit({length(given[0]), length(given[1])}, table);
+    const double n = number(given[2]);
     if (n != std::floor(n) || n < 1 || n > longest_axis) {
       fail(table,
            fmt::format("the third number of {} counts the values, 1 to {}", kind, longest_axis));
@@ -156,7 +204,7 @@ class Reader {
       const double x =
           log ? elementary::exp((1 - u) * elementary::log(law[0]) + u * elementary::log(law[1]))
               : (1 - u) * law[0] + u * law[1];
-      d.values.emplace_back(u == 0 ? law[0] : u == 1 ? law[1] : x);
+      d.values.push_back(plan_value({u == 0 ? law[0] : u == 1 ? law[1] : x, unit}));
     }
     return d;
   }

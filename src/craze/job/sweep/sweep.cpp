@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "craze/base/progress_meter.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/output_folder.h"
@@ -30,8 +31,8 @@ std::string make_rows(const SweepRows& rows, std::uint64_t begin, std::uint64_t 
       lines[i] = sweep_row(rows, first + i, folder, own);
     });
     for (const std::string& line : lines) text += line + "\n";
-    context.report(
-        {"sweep", static_cast<double>(first + lines.size()) / static_cast<double>(rows.count())});
+    const std::uint64_t made = first + lines.size() - begin;
+    context.report({"sweep", static_cast<double>(made) / static_cast<double>(end - begin)});
   }
   return text;
 }
@@ -44,19 +45,29 @@ SweepResult run_sweep(const PlanSource& source, const fs::path& folder, Shard sh
   claim_plan_folder(folder, source, "sweep", context);
   make_output_folder("the parts of the table", folder / "parts");
   SweepResult result{rows.count(), rows.part_count()};
+  const auto begin_of = [&](std::uint64_t part) {
+    return std::min(rows.count(), part * rows.rows_of_part());
+  };
+  const auto is_made = [&](std::uint64_t part) {
+    return is_whole_part(part_file(folder, part), begin_of(part + 1) - begin_of(part));
+  };
+  std::vector<std::uint64_t> wanted;
   for (std::uint64_t part = 0; part < result.parts; ++part) {
-    const fs::path file = part_file(folder, part);
-    const std::uint64_t begin = part * rows.rows_of_part();
-    const std::uint64_t end = std::min(rows.count(), begin + rows.rows_of_part());
-    if (!shard.has(part) || is_whole_part(file, end - begin)) continue;
-    const std::string text = make_rows(rows, begin, end, source.folder.string(), context);
-    write_file(file, with_mark(text, end - begin), "cannot write a part of the table", context);
+    if (shard.has(part) && !is_made(part)) wanted.push_back(part);
+  }
+  const auto share = 1 / static_cast<double>(wanted.size());
+  for (const std::uint64_t part : wanted) {
+    const auto before = static_cast<double>(result.parts_made);
+    const Context own = phase_part(context, "sweep", before * share, (before + 1) * share);
+    const std::uint64_t begin = begin_of(part), end = begin_of(part + 1);
+    const std::string text = make_rows(rows, begin, end, source.folder.string(), own);
+    write_file(part_file(folder, part), with_mark(text, end - begin),
+               "cannot write a part of the table", context);
     ++result.parts_made;
   }
+  if (!wanted.empty()) context.report({"sweep", 1});
   for (std::uint64_t part = 0; part < result.parts; ++part) {
-    const std::uint64_t begin = part * rows.rows_of_part();
-    const std::uint64_t length = std::min(rows.count() - begin, rows.rows_of_part());
-    if (!is_whole_part(part_file(folder, part), length)) ++result.parts_left;
+    if (!is_made(part)) ++result.parts_left;
   }
   if (result.parts_left == 0) join_parts(rows, folder, context);
   return result;

@@ -10,6 +10,7 @@
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/output_folder.h"
 #include "craze/products/statistics/plots/plots.h"
+#include "craze/recipe/length_text.h"
 
 namespace craze {
 
@@ -43,13 +44,22 @@ SweepPlots::SweptKey SweepPlots::axis_of(const PlanEntry& entry, std::size_t col
   std::vector<PlanValue> values;
   if (const auto* grid = std::get_if<Axis>(&entry.distribution)) values = grid->values;
   if (const auto* choice = std::get_if<Choice>(&entry.distribution)) values = choice->values;
-  for (const PlanValue& value : values) axis.numbers &= std::holds_alternative<double>(value);
-  if (axis.numbers) std::sort(values.begin(), values.end());
+  const auto first = values.empty() ? std::nullopt : plan_length(values.front());
+  for (const PlanValue& value : values) {
+    const auto number = plan_length(value);
+    axis.numbers &= first && number && number->unit() == first->unit();
+  }
+  if (axis.numbers) {
+    std::sort(values.begin(), values.end(), [](const PlanValue& a, const PlanValue& b) {
+      return plan_length(a)->number() < plan_length(b)->number();
+    });
+  }
   for (const PlanValue& value : values) {
     const std::string cell = plan_text(value);
     if (std::find(axis.cells.begin(), axis.cells.end(), cell) != axis.cells.end()) continue;
     const auto* number = std::get_if<double>(&value);
-    axis.x.push_back(axis.numbers ? *number : static_cast<double>(axis.cells.size()));
+    axis.x.push_back(axis.numbers ? plan_length(value)->number()
+                                  : static_cast<double>(axis.cells.size()));
     axis.labels.push_back(number ? fmt::format("{:.4g}", *number) : cell);
     axis.cells.push_back(cell);
   }
@@ -79,8 +89,9 @@ std::size_t SweepPlots::SweptKey::place_of(const std::string& cell) const {
   if (!intervals) {
     return static_cast<std::size_t>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
   }
-  double value = 0;
-  if (!read_number(cell, value) || !(high > low)) return labels.size();
+  const auto length = parse_length(cell);
+  if (!length || !(high > low)) return labels.size();
+  const double value = length->number();
   const double share = ((logarithmic ? elementary::log(value) : value) - low) / (high - low);
   return static_cast<std::size_t>(
       std::clamp(std::floor(share * craze::intervals), 0.0, craze::intervals - 1.0));

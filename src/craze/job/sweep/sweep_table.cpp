@@ -38,7 +38,7 @@ Measured measure(const SweepRows& rows, std::uint64_t row, const PlanValues& val
   Input input;
   input.name = object;
   input.surface = std::make_shared<const SurfaceMesh>(load_surface(object, context).mesh);
-  input.textures = load_textures(recipe, context);
+  input.textures = load_textures(recipe, texture_folder(folder, recipe), context);
   const Result result = crack(std::move(input), recipe, {{}, OnCancel::discard}, context);
   Measured measured{result.report(), {}};
   const CrackedSurface& state = result.state();

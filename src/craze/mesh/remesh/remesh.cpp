@@ -1,6 +1,9 @@
 #include "craze/mesh/remesh/remesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <string>
 
 #include "craze/error.h"
@@ -17,6 +20,21 @@ namespace craze {
 namespace {
 
 constexpr double first_shake = 0.3;  // of the length wanted: against the grain of the input
+
+/// Where edges are a few steps of the coordinates' numbers long, their ends round onto each other
+/// and rounds of splits and collapses do not settle: from 8 steps down, measured.
+void refuse_too_far(const SurfaceMesh& input, double edge) {
+  constexpr double fewest_steps = 12;
+  double farthest = 0;
+  for (const Vec3& p : input.positions) farthest = std::max(farthest, p.lpNorm<Eigen::Infinity>());
+  const double step = std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
+  if (edge >= fewest_steps * step) return;
+  std::ostringstream where, why;
+  where << "mesh.edge " << edge;
+  why << "numbers of " << farthest << " have steps of " << step << ", and an edge needs "
+      << fewest_steps << "; move the mesh nearer to the origin, or ask for longer edges";
+  throw Error(ErrorKind::request, "too far from the origin to be remeshed", where.str(), why.str());
+}
 
 /// The remeshed plane, which has nothing to approach and no attributes.
 SurfaceMesh flat_torus(const RemeshSurface& s) {
@@ -38,6 +56,7 @@ SurfaceMesh remesh(const SurfaceMesh& input, const RemeshOptions& options, const
   }
   const TriangleMesh topology(input.positions, input.triangles, options.period);
   if (topology.face_count() == 0) return input;
+  refuse_too_far(input, options.target_edge);
   // Of a round five, then approach and transfer; the first is setting up.
   RemeshProgress progress(context, 5 * options.iterations + 3);
   progress.next_stage(topology.face_count());
@@ -53,13 +72,18 @@ SurfaceMesh remesh(const SurfaceMesh& input, const RemeshOptions& options, const
     stage([&] { smooth(s, round == 0 ? first_shake : 0); });
     stage([&] { flip_edges(s); });
   }
-  if (options.period.is_given()) return flat_torus(s);
+  if (options.period.is_given()) {
+    progress.finish(s.mesh.face_slots());
+    return flat_torus(s);
+  }
   stage([&] {
     pull_vertices(s);
     approach_input(s);
   });
   progress.next_stage(s.mesh.face_slots());
-  return transfer_attributes(s, progress.stage());
+  SurfaceMesh made = transfer_attributes(s, progress.stage());
+  progress.finish(std::ssize(made.triangles));
+  return made;
 }
 
 }  // namespace craze

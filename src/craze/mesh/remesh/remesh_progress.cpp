@@ -18,6 +18,12 @@ RemeshProgress::RemeshProgress(const Context& context, int stages)
   };
 }
 
+void RemeshProgress::finish(std::int64_t triangles) {
+  part_ = 0;
+  done_ = stages_;
+  look(triangles);
+}
+
 void RemeshProgress::next_stage(std::int64_t triangles) {
   ++done_;
   part_ = 0;

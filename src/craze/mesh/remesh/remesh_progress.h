@@ -17,6 +17,9 @@ class RemeshProgress {
   /// Each stage begins with this. Throws Cancelled.
   void next_stage(std::int64_t triangles);
 
+  /// After the last. Throws Cancelled.
+  void finish(std::int64_t triangles);
+
   /// For every edge, face or vertex looked at: costs next to nothing, and once in a few thousand
   /// calls reports and throws Cancelled where the context says so.
   void step(std::int64_t triangles) {

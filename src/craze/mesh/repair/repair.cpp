@@ -83,7 +83,9 @@ class Workpiece {
     begin_stage();
     separate_edges();
     begin_stage();
-    return {transfer(input_, std::move(triangles_), source_), origin()};
+    TracedSurface traced{transfer(input_, std::move(triangles_), source_), origin()};
+    begin_stage();
+    return traced;
   }
 
  private:

@@ -84,6 +84,7 @@ std::vector<Sym2> initial_stress(const TriangleMesh& mesh, const StressParameter
     const std::string where = "impact " + std::to_string(i + 1);
     add_impact(sigma, mesh, impacts[i], where.c_str(), context);
   }
+  if (!impacts.empty()) context.report({"impacts", 1});
   if (stress.noise > 0) {
     const Random random(seed, stress_noise_stream);
     const auto xi = face_noise(mesh, stress.noise_length, random, context);

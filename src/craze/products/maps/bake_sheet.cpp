@@ -251,19 +251,19 @@ class Band {
 }  // namespace
 
 void bake_sheet(const BakeScene& scene, const MapSheet& sheet,
-                const std::vector<MapHeader>& headers, MapSink& sink, double done, double of,
-                const Context& context) {
+                const std::vector<MapHeader>& headers, MapSink& sink, const Context& context) {
   Band band(scene, sheet, headers);
   sink.begin(headers);
   const int size = scene.options.size;
   for (int first = 0; first < size; first += band_rows) {
     context.check();
-    context.report({"maps", done + first / (of * size)});
+    context.report({"maps", static_cast<double>(first) / size});
     const int count = std::min(band_rows, size - first);
     band.bake(first, count, context);
     sink.rows(first, count, band.rows());
   }
   sink.end();
+  context.report({"maps", 1});
 }
 
 }  // namespace craze

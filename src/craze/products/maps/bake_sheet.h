@@ -26,10 +26,9 @@ struct BakeScene {
   const MapOptions& options;
 };
 
-/// Bakes `sheet` into `sink`, from begin() to end(). `headers` are those of begin(). Reports "maps"
-/// from `done` to 1 / `of` further, as a share of all.
+/// Bakes `sheet` into `sink`, from begin() to end(). `headers` are those of begin(). Reports
+/// "maps".
 void bake_sheet(const BakeScene& scene, const MapSheet& sheet,
-                const std::vector<MapHeader>& headers, MapSink& sink, double done, double of,
-                const Context& context);
+                const std::vector<MapHeader>& headers, MapSink& sink, const Context& context);
 
 }  // namespace craze

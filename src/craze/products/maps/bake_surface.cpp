@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "craze/base/progress_meter.h"
 #include "craze/error.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/mesh/uv_islands.h"
@@ -144,11 +145,13 @@ void check_map_options(const MapOptions& options) {
 }
 
 std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options, MapSink& sink,
-                                      const Context& context) {
+                                      const Context& whole) {
   check_map_options(options);
   if (options.maps.empty()) {
     for (const MapInfo& info : map_table()) options.maps.push_back(info.kind);
   }
+  constexpr double preparing = 0.25;  // about, of all time
+  const Context context = phase_part(whole, "maps", 0, preparing);
   context.report({"maps", 0});
   UvLayout layout = uv_layout(maps, options.by_material, context);
   warn_of_unknown(maps, options.post, layout.warnings);
@@ -173,7 +176,7 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
   const MapLift lift(maps, faces, sizes);
   const Ranges ranges(maps, sizes, lift, grooves.farthest(), curvature);
   const BakeScene scene{maps, faces, sizes, grooves, lift, islands, curvature, options};
-  const auto of = static_cast<double>(layout.sheets.size());
+  const double share = (1 - preparing) / static_cast<double>(layout.sheets.size());
   for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
     std::vector<MapHeader> headers;
     for (const MapKind kind : options.maps) {
@@ -183,8 +186,11 @@ std::vector<std::string> bake_surface(const MapSurface& maps, MapOptions options
       ranges.set(header);
       headers.push_back(header);
     }
-    bake_sheet(scene, layout.sheets[i], headers, sink, static_cast<double>(i) / of, of, context);
+    const double from = preparing + static_cast<double>(i) * share;
+    bake_sheet(scene, layout.sheets[i], headers, sink,
+               phase_part(whole, "maps", from, from + share));
   }
+  whole.report({"maps", 1});
   return layout.warnings;
 }
 

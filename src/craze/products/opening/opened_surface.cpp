@@ -253,7 +253,6 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
     surface.warnings.push_back(std::move(warning));
   }
   context.check();
-  context.report({"open", 1});
   surface.shut = post.gap == 0;
   surface.curled = (post.curl != 0 || post.chipping > 0) && !surface.shut;
   if (surface.curled && !cut.corner_normals.empty()) {

@@ -65,6 +65,7 @@ class Limiter {
       sound = step(round < rounds_of_steps ? step_back : 0);
       if (round == 0 && !sound) begin_smaller();
     }
+    context_.report({"open", 1});
     OpeningLimit limit;
     if (!sound) {
       const std::vector<Vec3> positions = motion_.positions(shares_);

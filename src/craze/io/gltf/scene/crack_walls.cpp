@@ -21,15 +21,19 @@ void add_crack_attributes(const CutScene& cut, const std::vector<std::int32_t>& 
   const std::vector<std::string>& known = cut.document().attributes();
   for (const Attribute& a : cut.mesh().vertex_attributes) {
     const bool is_old = std::find(known.begin(), known.end(), a.name) != known.end();
-    if ((is_old && !is_run_attribute(a.name)) || a.components > 4) continue;
-    GltfElements elements;
-    elements.components = static_cast<std::size_t>(a.components);
-    constexpr double nowhere[] = {-1, -1, -1, -1};
-    for (const std::int32_t v : owner) {
-      elements.append(v < 0 ? nowhere
-                            : &a.values[static_cast<std::size_t>(v) * elements.components]);
+    if (is_old && !is_run_attribute(a.name)) continue;
+    for (const GlbColumns& columns : glb_columns(a)) {
+      GltfElements elements;
+      elements.components = static_cast<std::size_t>(columns.components);
+      constexpr double nowhere[] = {-1, -1, -1, -1};
+      for (const std::int32_t v : owner) {
+        elements.append(
+            v < 0 ? nowhere
+                  : &a.values[static_cast<std::size_t>(v) * static_cast<std::size_t>(a.components) +
+                              static_cast<std::size_t>(columns.first)]);
+      }
+      vertices.set(columns.name, std::move(elements));
     }
-    vertices.set(glb_attribute_name(a.name), std::move(elements));
   }
 }
 

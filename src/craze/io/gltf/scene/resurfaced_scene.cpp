@@ -234,13 +234,16 @@ class Resurfacer {
     }
     if (!colors.empty()) add("COLOR_0", floats(colors, 4), nullptr);
     for (const Attribute& a : part.vertex_attributes) {
-      if (a.components > 4) continue;
-      GltfElements elements;
-      elements.components = static_cast<std::size_t>(a.components);
-      for (const std::int32_t v : unified.sources) {
-        elements.append(&a.values[static_cast<std::size_t>(v) * elements.components]);
+      for (const GlbColumns& columns : glb_columns(a)) {
+        GltfElements elements;
+        elements.components = static_cast<std::size_t>(columns.components);
+        for (const std::int32_t v : unified.sources) {
+          elements.append(
+              &a.values[static_cast<std::size_t>(v) * static_cast<std::size_t>(a.components) +
+                        static_cast<std::size_t>(columns.first)]);
+        }
+        add(columns.name, elements, nullptr);
       }
-      add(glb_attribute_name(a.name), elements, nullptr);
     }
     Json& meshes = output_.root["meshes"];
     Json mesh{{"primitives", primitives(part, unified, attributes)}};

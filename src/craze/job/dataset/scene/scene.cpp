@@ -194,7 +194,7 @@ Scene make_scene(const Plan& plan, const PlanValues& values, const DatasetShape&
   Input input;
   input.name = object;
   input.surface = std::make_shared<const SurfaceMesh>(load_surface(object, context).mesh);
-  input.textures = load_textures(recipe, context);
+  input.textures = load_textures(recipe, texture_folder(folder, recipe), context);
   CrackOptions how{{}, OnCancel::discard};
   if (clean) how.max_cracks = 0;
   const Result result = crack(std::move(input), recipe, how, context);

@@ -140,15 +140,17 @@ ShardMark write_shard(const DatasetPlan& plan, const fs::path& folder, std::uint
   const auto at_once = static_cast<std::uint64_t>(std::max(1, context.threads.count()));
   for (std::uint64_t begin = first; begin < end; begin += at_once) {
     context.check();
-    context.report(
-        {"dataset", static_cast<double>(begin) / static_cast<double>(plan.shape.samples)});
+    const auto reached = static_cast<double>(begin - first);
+    context.report({"dataset", reached / static_cast<double>(end - first)});
     std::vector<Sample> samples(std::min(at_once, end - begin));
     side_by_side(samples.size(), context, [&](std::size_t i, const Context& own) {
       samples[i] = make_sample(plan, begin + i, own);
     });
     for (std::size_t i = 0; i < samples.size(); ++i) writer.add(samples[i], begin + i);
   }
-  return writer.finish(paths, first);
+  ShardMark mark = writer.finish(paths, first);
+  context.report({"dataset", 1});
+  return mark;
 }
 
 }  // namespace craze

@@ -32,8 +32,8 @@ std::optional<ShardMark> read_mark(const DatasetShape& shape, const std::filesys
                                    std::uint64_t shard);
 
 /// Makes a shard, sample by sample: no more is in memory than one for each of the context's
-/// threads. The marker is written last. Each file is whole or not there. Throws Error and
-/// Cancelled.
+/// threads. The marker is written last. Reports "dataset". Each file is whole or not there. Throws
+/// Error and Cancelled.
 ShardMark write_shard(const DatasetPlan& plan, const std::filesystem::path& folder,
                       std::uint64_t shard, const Context& context);
 

@@ -71,7 +71,7 @@ CrackGraphInput graph_from_lines(const LineSet& lines) {
   } else {
     const auto normal = common_normal(graph.points);
     if (!normal) {
-      throw Error(ErrorKind::request, "lines are not in a plane", "",
+      throw Error(ErrorKind::request, "lines are not in a plane", "normal",
                   "give a normal per point (PLY: nx ny nz), or the cracked mesh itself");
     }
     graph.normals.assign(graph.points.size(), *normal);

@@ -144,6 +144,7 @@ CrackGraphInput graph_from_cut_mesh(const SurfaceMesh& file, const Context& cont
   const std::vector<std::int32_t> piece = pieces.labels();
 
   CrackGraphInput graph;
+  graph.metres_per_unit = file.metres_per_unit;
   const Attribute* time = find_attribute(surface.vertex_attributes, "crack_time");
   PointIndex index;
   const auto add_edge = [&](std::int32_t from, std::int32_t to,

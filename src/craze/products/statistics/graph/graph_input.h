@@ -32,6 +32,7 @@ struct CrackGraphInput {
   std::vector<GraphInputEdge> edges;
   double surface_area = 0;          ///< 0: not known
   std::vector<double> piece_areas;  ///< area of each fragment; empty: not known
+  double metres_per_unit = 0;       ///< of the points; 0: not known
 };
 
 /// A rectangle in a plane through which a planar pattern is seen.
