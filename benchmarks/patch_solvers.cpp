@@ -352,8 +352,8 @@ void growing_patch(benchmark::State& state) {
   for (const std::int32_t v : plate.seeds()) seed_patch[v] = 0;
   PatchSolver solver;
   for (auto _ : state) solver.solve(layer, plate.seeds(), 0, true, seed_patch, mark);
-  state.counters["iterations"] = static_cast<double>(solver.iterations());
-  state.counters["nodes"] = static_cast<double>(solver.active());
+  state.counters["iterations"] = static_cast<double>(solver.answer().iterations);
+  state.counters["nodes"] = static_cast<double>(solver.answer().active);
 }
 
 #define CRAZE_PATCH_BENCHMARK(name) \

@@ -28,9 +28,10 @@ class PatchSolverTest : public ::testing::Test {
       PatchSolver solver;
       solver.solve(layer, seeds_[i], static_cast<std::int32_t>(i), seeds_.size() == 1, seed_patch_,
                    mark_);
-      for (std::int32_t k = 0; k < solver.active(); ++k) {
-        const Vec3 u = solver.displacement(layer, k);
-        sum[solver.nodes()[k]].v += Vec4d::Lanes{u.x(), u.y(), u.z(), 0};
+      const PatchAnswer& answer = solver.answer();
+      for (std::int32_t k = 0; k < answer.active; ++k) {
+        const Vec3 u = answer.displacement(layer, k);
+        sum[answer.nodes[k]].v += Vec4d::Lanes{u.x(), u.y(), u.z(), 0};
       }
     }
     for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) field_.displacements()[v].v += sum[v].v;

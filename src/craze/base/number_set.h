@@ -1,6 +1,7 @@
 // A set of numbers without a node for each.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -17,16 +18,19 @@ class NumberSet {
     return !places_.empty() && places_[place_of(x, places_)] == x;
   }
 
-  void insert(std::uint64_t x) {
+  /// Whether it was not yet there.
+  bool insert(std::uint64_t x) {
     if (2 * (size_ + 1) > places_.size()) grow();
     std::uint64_t& place = places_[place_of(x, places_)];
-    if (place == x) return;
+    if (place == x) return false;
     place = x;
     ++size_;
+    return true;
   }
 
+  /// Its room is kept.
   void clear() {
-    places_ = {};
+    std::fill(places_.begin(), places_.end(), none);
     size_ = 0;
   }
 

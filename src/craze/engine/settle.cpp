@@ -64,8 +64,8 @@ void carry(CrackedSurface& state, const std::vector<Vec3>& smooth, Report& repor
   }
   state.network = std::move(carried->network);
   report.carried = count_carried(carried->cut, surface.triangles.size());
-  carried->cut.positions = {};
-  carried->cut.triangles = {};
+  carried->cut.positions = std::vector<Vec3>();
+  carried->cut.triangles = std::vector<Triangle>();
   state.asset = std::move(carried);
   state.fragments = find_components(state.mesh());
   report.time.carry =

@@ -40,6 +40,9 @@ class SelfIntersections {
   /// the next call. Throws Cancelled; the next call then begins anew.
   const Pairs& at(const std::vector<Vec3>& positions, const Context& context);
 
+  /// #V: what has moved between the last two calls; what may have, where all had to be looked at.
+  const std::vector<char>& moved() const { return moved_; }
+
  private:
   class BoxTree;
 
@@ -49,6 +52,7 @@ class SelfIntersections {
   std::size_t limit_;
   std::int32_t sheet_end_;
   std::vector<Vec3> positions_;  // of the last call
+  std::vector<char> moved_;      // #V: since the call before it
   std::unique_ptr<BoxTree> tree_;
   Pairs pairs_;  // as far as they have been found
 };

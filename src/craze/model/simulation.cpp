@@ -119,11 +119,11 @@ Simulation::Simulation(TriangleMesh mesh, SimulationFields fields,
       // Twice the edges of the input: when as many pieces of crack are open, few are left whole.
       most_segments_(3 * std::int64_t{sheet_.mesh().face_count()} + 1000) {
   check_work(*loading_, *relaxation_);
-  // The sheet and the loading have these now.
-  fields_.stress = {};
-  fields_.adhesion_scale = {};
-  fields_.fixed = {};
-  fields_.pinned = {};
+  // The sheet and the loading have these now. (`= {}` would keep their room.)
+  fields_.stress = std::vector<Sym3>();
+  fields_.adhesion_scale = std::vector<double>();
+  fields_.fixed = std::vector<char>();
+  fields_.pinned = std::vector<char>();
 }
 
 bool Simulation::measure_all_nodes(const Context& context) {

@@ -13,6 +13,9 @@ namespace craze {
 namespace {
 
 constexpr std::size_t grain = 1024;
+// Bytes of memory that the system gives only where it is written to: room there costs nothing, and
+// to copy all of it, for more or less of it, as much again.
+constexpr std::size_t large = std::size_t{1} << 25;
 
 /// T of the world tensor sigma: T_ab = A b_a·σ b_b, with b_a = Σ_c H_ac e_c the dual of e_a and
 /// A H = √A N.
@@ -84,6 +87,7 @@ StressField::StressField(const TriangleMesh& mesh, double cap, const Threads& th
       displacements_(mesh.vertex_count()),
       normals_(mesh.vertex_count(), Vec3::Zero()),
       node_areas_(mesh.vertex_count(), 0.0) {
+  if (elements_.size() * sizeof(Element) > large) elements_.reserve(elements_.size() / 2 * 3);
   parallel_for(threads, elements_.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       elements_[f] = make_element(mesh, static_cast<std::int32_t>(f));
@@ -243,7 +247,7 @@ void StressField::follow(const TriangleMesh& mesh, std::int32_t vertex, std::int
 }
 
 void StressField::shrink_to_fit() {
-  elements_.shrink_to_fit();
+  if (elements_.size() * sizeof(Element) <= large) elements_.shrink_to_fit();
   for (auto* vectors : {&forces_, &displacements_}) vectors->shrink_to_fit();
   normals_.shrink_to_fit();
   node_areas_.shrink_to_fit();

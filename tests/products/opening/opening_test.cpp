@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <limits>
 
 #include "craze/error.h"
+#include "craze/mesh/self_intersection.h"
 #include "products/distance/surfaces.h"
 #include "products/opening/real_runs.h"
 
@@ -159,6 +161,30 @@ TEST(Opening, GoesOnlySoFarThatNoFaceTurnsOver) {
   EXPECT_EQ(opened.folded_faces, 0);
   EXPECT_GT(opened.mesh.positions[14].x(), mesh.position(14).x());
   EXPECT_EQ(opened.mesh.positions[0], mesh.position(0));
+}
+
+TEST(Opening, WhatCrossesAsItIsIsNoReasonToOpenLess) {
+  const TriangleMesh plate = test::plate(20, 0);
+  std::vector<Vec3> folded = plate.positions();
+  for (Vec3& p : folded) {
+    p.z() = (p.x() - 0.4) * std::sin(20 * p.y());
+    p.x() = std::abs(p.x() - 0.4);
+  }
+  std::vector<Vec3> twice = plate.positions();  // and one across it, a shell of its own
+  std::vector<Triangle> both = plate.triangles();
+  for (const Vec3& p : plate.positions()) twice.emplace_back(p.x() + 0.01, 0.43, p.y() - 0.47);
+  for (const auto& [a, b, c] : plate.triangles()) {
+    const std::int32_t n = plate.vertex_count();
+    both.push_back({a + n, b + n, c + n});
+  }
+  for (TriangleMesh mesh : {TriangleMesh(folded, plate.triangles()), TriangleMesh(twice, both)}) {
+    ASSERT_FALSE(self_intersections(mesh.positions(), mesh.triangles()).empty());
+    test::cut_at_random(mesh, 200, 0, 3);
+    const std::vector<Vec3> still(mesh.positions().size(), Vec3::Zero());
+    const OpenedMesh opened = open_cracks(mesh, still, {.gap = 1}, {});
+    EXPECT_EQ(opened.limited_vertices, 0);
+    EXPECT_EQ(opened.crossings, 0);
+  }
 }
 
 TEST(Opening, RefusesWhatMakesNoSense) {

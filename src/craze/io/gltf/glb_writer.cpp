@@ -51,7 +51,7 @@ class GlbWriter {
       ordered_json node{{"mesh", 0}};
       if (!far.isZero(0)) node["translation"] = to_json(far);
       UnifiedCorners unified = unify_corners(mesh, normals);
-      normals = {};
+      normals = std::vector<Vec3>();
       add_node(std::move(node), mesh, std::move(unified), far,
                options_.animation ? options_.animation->stages : std::vector<MorphStage>{});
     } else {

@@ -18,13 +18,10 @@ Sym3 StressAhead::mean(const TriangleMesh& mesh, const StressField& field, std::
                        double length) {
   const Vec3 &tip = mesh.position(v), &normal = field.normals()[v];
   const Vec3 back = mesh.way(v, mesh.to(mesh.first_halfedge(v)));
-  reached_.resize(mesh.face_count(), 0);
-  ++round_;
+  reached_.clear();
   faces_.clear();
   const auto reach = [&](std::int32_t f) {
-    if (reached_[f] == round_) return;
-    reached_[f] = round_;
-    faces_.push_back(f);
+    if (reached_.insert(static_cast<std::uint64_t>(f))) faces_.push_back(f);
   };
   mesh.for_each_outgoing(v, [&](std::int32_t h) { reach(TriangleMesh::face_of(h)); });
   Sym3 sum;

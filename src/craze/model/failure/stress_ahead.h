@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "craze/base/number_set.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/stress_field.h"
 #include "craze/tensor.h"
@@ -24,8 +25,7 @@ class StressAhead {
 
  private:
   std::vector<std::int32_t> faces_;
-  std::vector<std::uint32_t> reached_;  // #F, in which round
-  std::uint32_t round_ = 0;
+  NumberSet reached_;  // of those
 };
 
 }  // namespace craze

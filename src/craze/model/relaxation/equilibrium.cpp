@@ -4,9 +4,9 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include "craze/base/cell_grid.h"
 #include "craze/base/parallel.h"
@@ -54,9 +54,10 @@ bool Equilibrium::force_added(std::int32_t v, double force) {
 
 void Equilibrium::release_memory() {
   stiffness_ = TangentStiffness(options_.adhesion);
-  patches_ = {};
+  patches_ = std::vector<Patch>();
   patch_count_ = 0;
-  marks_ = {};
+  workshops_.clear();
+  for (auto* scratch : {&seed_patch_, &group_}) *scratch = std::vector<std::int32_t>();
 }
 
 void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
@@ -65,7 +66,6 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
   assert(options_.adhesion > 0 && options_.reach > 0);
   drift_.resize(mesh.vertex_count(), 0);
   allowed_.resize(mesh.vertex_count(), 0);
-  slot_.resize(mesh.vertex_count(), -1);
   if (stiffness_.empty()) {
     stiffness_.assemble(mesh, field, threads);
   } else if (static_cast<std::int32_t>(changed.size()) < mesh.vertex_count()) {
@@ -107,9 +107,9 @@ void Equilibrium::restore(StressField& field, const TriangleMesh& mesh,
     largest = 0;
     for (std::size_t i = 0; i < patch_count_; ++i) {
       const Patch& patch = patches_[i];
-      iterations_ += patch.solver.iterations();
+      iterations_ += patch.answer.iterations;
       // A triangulated surface has two faces a node.
-      element_updates_ += 2 * patch.solver.node_updates();
+      element_updates_ += 2 * patch.answer.node_updates;
       moved.insert(moved.end(), patch.moved.begin(), patch.moved.end());
       open.insert(open.end(), patch.open.begin(), patch.open.end());
       largest = std::max(largest, patch.largest_residual);
@@ -128,7 +128,7 @@ void Equilibrium::review(const LayerState& layer, std::size_t index) {
   patch.largest_residual = 0;
   const double allowed = options_.tolerance * options_.tolerance;
   // Where answers overlap, or single precision was not enough, some more may be left to do.
-  const std::vector<std::int32_t>& nodes = patch.solver.nodes();
+  const std::vector<std::int32_t>& nodes = patch.answer.nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (i + ahead < nodes.size()) {
       layer.prefetch(nodes[i + ahead]);
@@ -142,7 +142,7 @@ void Equilibrium::review(const LayerState& layer, std::size_t index) {
     patch.open.push_back(v);
     patch.largest_residual = std::max(patch.largest_residual, residual);
   }
-  for (const std::int32_t v : patch.solver.held()) {
+  for (const std::int32_t v : patch.answer.held) {
     if (drift_[v] > allowed_[v]) patch.moved.push_back(v);
   }
 }
@@ -190,19 +190,14 @@ void Equilibrium::solve(const LayerState& layer, bool takes_all, const Threads& 
   // A question is asked in this thread alone: of a single patch, the one that may be large.
   const StopQuestion none;
   const StopQuestion& asked = patch_count_ == 1 ? stop : none;
-  std::mutex marks_mutex;
   parallel_for(threads, patch_count_, 1, [&](std::size_t i, std::size_t) {
-    std::vector<std::int32_t> mark;  // whichever is left: they are all alike
-    if (const std::lock_guard lock(marks_mutex); !marks_.empty()) {
-      mark = std::move(marks_.back());
-      marks_.pop_back();
-    }
-    mark.resize(layer.mesh.vertex_count(), -1);
+    Workshop workshop = workshops_.take(layer.mesh.vertex_count());
     Patch& patch = patches_[i];
-    patch.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), takes_all, seed_patch_,
-                       mark, asked);
-    const std::lock_guard lock(marks_mutex);
-    marks_.push_back(std::move(mark));
+    std::swap(workshop.solver.answer(), patch.answer);
+    workshop.solver.solve(layer, patch.seeds, static_cast<std::int32_t>(i), takes_all, seed_patch_,
+                          workshop.marks, asked);
+    std::swap(workshop.solver.answer(), patch.answer);
+    workshops_.put_back(std::move(workshop));
   });
   for (std::size_t i = 0; i < patch_count_; ++i) {
     for (const std::int32_t v : patches_[i].seeds) seed_patch_[v] = -1;
@@ -219,44 +214,63 @@ void Equilibrium::apply(StressField& field, const LayerState& layer, const Threa
     together.clear();
     rest.clear();
     for (const std::size_t i : waiting) {
-      const PatchSolver& solver = patches_[i].solver;
+      const PatchAnswer& answer = patches_[i].answer;
       const auto is_taken = [&](std::int32_t v) { return group_[v] == groups_; };
-      const bool apart = std::none_of(solver.nodes().begin(), solver.nodes().end(), is_taken) &&
-                         std::none_of(solver.held().begin(), solver.held().end(), is_taken);
+      const bool apart = std::none_of(answer.nodes.begin(), answer.nodes.end(), is_taken) &&
+                         std::none_of(answer.held.begin(), answer.held.end(), is_taken);
       (apart ? together : rest).push_back(i);
       if (!apart) continue;
-      for (const std::int32_t v : solver.nodes()) group_[v] = groups_;
-      for (const std::int32_t v : solver.held()) group_[v] = groups_;
+      for (const std::int32_t v : answer.nodes) group_[v] = groups_;
+      for (const std::int32_t v : answer.held) group_[v] = groups_;
     }
-    parallel_for(threads, together.size(), 1,
-                 [&](std::size_t i, std::size_t) { apply(field, layer, patches_[together[i]]); });
+    parallel_for(threads, together.size(), 1, [&](std::size_t i, std::size_t) {
+      Workshop workshop = workshops_.take(layer.mesh.vertex_count());
+      apply(field, layer, patches_[together[i]].answer, workshop);
+      workshops_.put_back(std::move(workshop));
+    });
     waiting = rest;
   }
 }
 
-void Equilibrium::apply(StressField& field, const LayerState& layer, Patch& patch) {
-  const PatchSolver& solver = patch.solver;
-  const std::int32_t active = solver.active();
-  // A node that has moved keeps its index in `slot_` meanwhile.
-  patch.displacements.resize(active);
-  for (std::int32_t i = 0; i < active; ++i) {
-    const Vec3 d = solver.displacement(layer, i);
-    patch.displacements[i].v = Vec4d::Lanes{d.x(), d.y(), d.z(), 0};
-    field.displacements()[solver.nodes()[i]].v += patch.displacements[i].v;
-    slot_[solver.nodes()[i]] = i;
+void Equilibrium::apply(StressField& field, const LayerState& layer, const PatchAnswer& answer,
+                        Workshop& workshop) {
+  // A node that has moved keeps its index in `slot` meanwhile.
+  std::vector<std::int32_t>& slot = workshop.marks;
+  std::vector<Vec4d>& displacements = workshop.displacements;
+  displacements.resize(answer.active);
+  for (std::int32_t i = 0; i < answer.active; ++i) {
+    const Vec3 d = answer.displacement(layer, i);
+    displacements[i].v = Vec4d::Lanes{d.x(), d.y(), d.z(), 0};
+    field.displacements()[answer.nodes[i]].v += displacements[i].v;
+    slot[answer.nodes[i]] = i;
   }
-  patch.faces.clear();
+  workshop.faces.clear();
   const auto add_faces = [&](const std::vector<std::int32_t>& nodes) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (i + ahead < nodes.size()) layer.stiffness.prefetch_faces(nodes[i + ahead]);
       const TangentStiffness::Faces own = layer.stiffness.own_faces(nodes[i]);
-      for (const std::int32_t f : own) patch.faces.push_back(f);  // two of them, mostly
+      for (const std::int32_t f : own) workshop.faces.push_back(f);  // two of them, mostly
     }
   };
-  add_faces(solver.nodes());
-  add_faces(solver.held());
-  field.displace(layer.mesh, patch.faces, slot_, patch.displacements, drift_);
-  for (std::int32_t i = 0; i < active; ++i) slot_[solver.nodes()[i]] = -1;
+  add_faces(answer.nodes);
+  add_faces(answer.held);
+  field.displace(layer.mesh, workshop.faces, slot, displacements, drift_);
+  for (std::int32_t i = 0; i < answer.active; ++i) slot[answer.nodes[i]] = -1;
+}
+
+Equilibrium::Workshop Equilibrium::Workshops::take(std::int32_t nodes) {
+  Workshop workshop;
+  if (const std::lock_guard lock(mutex_); !free_.empty()) {
+    workshop = std::move(free_.back());
+    free_.pop_back();
+  }
+  workshop.marks.resize(nodes, -1);
+  return workshop;
+}
+
+void Equilibrium::Workshops::put_back(Workshop workshop) {
+  const std::lock_guard lock(mutex_);
+  free_.push_back(std::move(workshop));
 }
 
 }  // namespace craze

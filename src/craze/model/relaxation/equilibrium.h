@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <vector>
 
 #include "craze/base/stop_question.h"
@@ -63,19 +64,37 @@ class Equilibrium {
  private:
   struct Patch {
     std::vector<std::int32_t> seeds;
-    PatchSolver solver;
-    std::vector<Vec4d> displacements;  // of the solver's active nodes
-    std::vector<std::int32_t> faces;   // around the solver's nodes
+    PatchAnswer answer;
     // Nodes whose forces changed more than was allowed; seeds of the next round, if there is one.
     std::vector<std::int32_t> moved, open;
     double largest_residual = 0;  // of those, squared
+  };
+
+  /// What it takes to work on a patch, wanted while one is worked on.
+  struct Workshop {
+    PatchSolver solver;
+    std::vector<std::int32_t> marks;   // #V, −1 between uses
+    std::vector<Vec4d> displacements;  // of the answer's active nodes
+    std::vector<std::int32_t> faces;   // around its nodes
+  };
+  /// Workshops that nobody is in; they are all alike.
+  class Workshops {
+   public:
+    Workshop take(std::int32_t nodes);
+    void put_back(Workshop workshop);
+    void clear() { free_ = std::vector<Workshop>(); }
+
+   private:
+    std::mutex mutex_;
+    std::vector<Workshop> free_;
   };
 
   void cluster(const TriangleMesh& mesh, const std::vector<std::int32_t>& seeds);
   void solve(const LayerState& layer, bool takes_all, const Threads& threads,
              const StopQuestion& stop);
   void apply(StressField& field, const LayerState& layer, const Threads& threads);
-  void apply(StressField& field, const LayerState& layer, Patch& patch);
+  void apply(StressField& field, const LayerState& layer, const PatchAnswer& answer,
+             Workshop& workshop);
   void review(const LayerState& layer, std::size_t patch);
 
   EquilibriumOptions options_;
@@ -83,12 +102,10 @@ class Equilibrium {
   std::vector<Patch> patches_;  // storage kept between calls
   std::size_t patch_count_ = 0;
   std::vector<std::int32_t> seed_patch_;  // #V: the patch that a node is a seed of, −1: of none
-  std::vector<std::vector<std::int32_t>>
-      marks_;                        // #V each, −1: scratch, one for each solve under way
+  Workshops workshops_;
   std::vector<std::int32_t> group_;  // #V: the last group of patches applied together that read it
   std::int32_t groups_ = 0;
   std::vector<std::int32_t> pulled_;  // by force_added(), since restore()
-  std::vector<std::int32_t> slot_;    // #V, −1: index in the patch being applied
   std::vector<double> drift_;    // #V: how much the forces changed since drift was last allowed
   std::vector<double> allowed_;  // #V: how much they may
   bool met_tolerance_ = true;

@@ -136,8 +136,8 @@ CRAZE_WIDE void turn(float* p, const float* z, float beta, std::int32_t count) {
 }  // namespace
 
 void PatchSolver::join(const Task& task, std::int32_t v) {
-  task.mark[v] = static_cast<std::int32_t>(nodes_.size());
-  nodes_.push_back(v);
+  task.mark[v] = static_cast<std::int32_t>(answer_.nodes.size());
+  answer_.nodes.push_back(v);
   task.layer.stiffness.prefetch_extent(v);
 }
 
@@ -145,19 +145,19 @@ void PatchSolver::read_residuals(const Task& task) {
   // The padding of the last time is no node.
   auto i = static_cast<std::size_t>(residuals_);
   r_.resize(2 * i);
-  for (; i < nodes_.size(); ++i) {
-    const std::int32_t v = nodes_[i], owner = task.seed_patch[v];
-    if (i + ahead < nodes_.size()) task.layer.prefetch(nodes_[i + ahead]);
+  for (; i < answer_.nodes.size(); ++i) {
+    const std::int32_t v = answer_.nodes[i], owner = task.seed_patch[v];
+    if (i + ahead < answer_.nodes.size()) task.layer.prefetch(answer_.nodes[i + ahead]);
     if (owner != task.patch && (owner >= 0 || !task.takes_all)) {
       r_.insert(r_.end(), 2, 0.0F);
       continue;
     }
     const PlaneBasis basis(task.layer.field.normals()[v]);
-    const Vec3 pull = task.layer.pull(v) / scale_;
+    const Vec3 pull = task.layer.pull(v) / answer_.scale;
     r_.push_back(static_cast<float>(basis.a.dot(pull)));
     r_.push_back(static_cast<float>(basis.b.dot(pull)));
   }
-  residuals_ = static_cast<std::int32_t>(nodes_.size());
+  residuals_ = static_cast<std::int32_t>(answer_.nodes.size());
 }
 
 // Patches grow ring by ring, so that doubling would leave half of the largest memory empty.
@@ -172,17 +172,17 @@ void PatchSolver::make_room(std::size_t rows) {
 
 void PatchSolver::load_rows(const Task& task) {
   std::vector<std::int32_t>& mark = task.mark;
-  const auto end = static_cast<std::int32_t>(nodes_.size());
+  const auto end = static_cast<std::int32_t>(answer_.nodes.size());
   make_room(static_cast<std::size_t>(end - loaded_));
   for (std::int32_t i = loaded_; i < end; ++i) {
-    if (i + ahead < end) task.layer.stiffness.prefetch(nodes_[i + ahead]);
-    const TangentStiffness::Row row = task.layer.stiffness.row(nodes_[i]);
+    if (i + ahead < end) task.layer.stiffness.prefetch(answer_.nodes[i + ahead]);
+    const TangentStiffness::Row row = task.layer.stiffness.row(answer_.nodes[i]);
     for (std::int32_t k = 0; k < row.count; ++k) {
       const std::int32_t n = row.columns[k];
       if (mark[n] == -1) {
         if (task.layer.field.is_held(n)) {
           mark[n] = fixed_node;
-          held_.push_back(n);
+          answer_.held.push_back(n);
         } else {
           join(task, n);
         }
@@ -199,15 +199,15 @@ void PatchSolver::load_rows(const Task& task) {
   }
   loaded_ = end;
   read_residuals(task);
-  const std::size_t padded = 2 * ((nodes_.size() + 3) / 4 * 4);
+  const std::size_t padded = 2 * ((answer_.nodes.size() + 3) / 4 * 4);
   for (std::vector<float>* values :
-       {&x_, &r_, &z_, &p_, &q_, &inverse_diagonal_, &inverse_off_diagonal_}) {
+       {&answer_.x, &r_, &z_, &p_, &q_, &inverse_diagonal_, &inverse_off_diagonal_}) {
     values->resize(padded, 0.0F);
   }
 }
 
 void PatchSolver::activate() {
-  for (std::int32_t i = active_; i < loaded_; ++i) {
+  for (std::int32_t i = answer_.active; i < loaded_; ++i) {
     const Vec4f& k = blocks_[row_begin_[i]];
     const float determinant = k[0] * k[3] - k[1] * k[2];
     if (!(determinant > 0)) continue;  // nothing holds it
@@ -215,21 +215,21 @@ void PatchSolver::activate() {
     inverse_diagonal_[2 * i + 1] = k[0] / determinant;
     inverse_off_diagonal_[2 * i] = inverse_off_diagonal_[2 * i + 1] = -k[2] / determinant;
   }
-  active_ = loaded_;
+  answer_.active = loaded_;
 }
 
 void PatchSolver::clear() {
   for (std::vector<float>* values :
-       {&x_, &r_, &z_, &p_, &q_, &inverse_diagonal_, &inverse_off_diagonal_}) {
+       {&answer_.x, &r_, &z_, &p_, &q_, &inverse_diagonal_, &inverse_off_diagonal_}) {
     values->clear();
   }
-  nodes_.clear();
-  held_.clear();
+  answer_.nodes.clear();
+  answer_.held.clear();
   columns_.clear();
   blocks_.clear();
   row_begin_.assign(1, 0);
-  active_ = loaded_ = residuals_ = 0;
-  iterations_ = node_updates_ = 0;
+  answer_.active = loaded_ = residuals_ = 0;
+  answer_.iterations = answer_.node_updates = 0;
 }
 
 void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>& seeds,
@@ -243,9 +243,10 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
   constexpr double least_scale = 1e-6;
   constexpr std::int64_t most_iterations = 10'000;
   constexpr std::int64_t between_questions = 8;
-  scale_ = layer.tolerance;
-  for (const std::int32_t v : seeds) scale_ = std::max(scale_, least_scale * layer.pull(v).norm());
-  const double half_tolerance = 0.5 * layer.tolerance / scale_;
+  answer_.scale = layer.tolerance;
+  for (const std::int32_t v : seeds)
+    answer_.scale = std::max(answer_.scale, least_scale * layer.pull(v).norm());
+  const double half_tolerance = 0.5 * layer.tolerance / answer_.scale;
   const auto solved = static_cast<float>(half_tolerance * half_tolerance);
   clear();
   const Task task{layer, patch, takes_all, seed_patch, mark};
@@ -255,9 +256,9 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
   load_rows(task);
   float zr = 0, most = 0, allowed = solved;
   const auto take_in_ring = [&](float& zr_sum, float& zq_sum) {
-    const std::int32_t first = active_;
+    const std::int32_t first = answer_.active;
     activate();
-    for (std::int32_t i = 2 * first; i < 2 * active_; ++i) {
+    for (std::int32_t i = 2 * first; i < 2 * answer_.active; ++i) {
       z_[i] = inverse_diagonal_[i] * r_[i] + inverse_off_diagonal_[i] * r_[i ^ 1];
       zr_sum += z_[i] * r_[i];
       zq_sum += z_[i] * q_[i];
@@ -275,35 +276,36 @@ void PatchSolver::solve(const LayerState& layer, const std::vector<std::int32_t>
   take_in_ring(zr, ignored);
   most = largest_in(0, loaded_);
   allowed = std::max(allowed, precision * most);
-  std::copy(z_.begin(), z_.begin() + 2 * active_, p_.begin());
+  std::copy(z_.begin(), z_.begin() + 2 * answer_.active, p_.begin());
 
-  while (most > allowed && iterations_ < most_iterations) {
-    if (stop && iterations_ % between_questions == 0 && stop()) break;
+  while (most > allowed && answer_.iterations < most_iterations) {
+    if (stop && answer_.iterations % between_questions == 0 && stop()) break;
     const float pq =
         multiply(row_begin_.data(), columns_.data(), blocks_.data(), loaded_, p_.data(), q_.data());
     if (!(pq > 0)) break;
     const float step = zr / pq;
-    ++iterations_;
-    node_updates_ += loaded_;
-    StepResult left = take_step({x_.data(), r_.data(), z_.data(), p_.data(), q_.data(),
+    ++answer_.iterations;
+    answer_.node_updates += loaded_;
+    StepResult left = take_step({answer_.x.data(), r_.data(), z_.data(), p_.data(), q_.data(),
                                  inverse_diagonal_.data(), inverse_off_diagonal_.data()},
                                 loaded_, step);
     most = left.largest;
     allowed = std::max(allowed, precision * most);
-    if (active_ < loaded_ && largest_in(active_, loaded_) > allowed) take_in_ring(left.zr, left.zq);
+    if (answer_.active < loaded_ && largest_in(answer_.active, loaded_) > allowed)
+      take_in_ring(left.zr, left.zq);
     // Polak and Ribière's β: the directions stay conjugate as rings come in.
     const float beta = std::max(0.0F, -step * left.zq / zr);
     zr = left.zr;
-    turn(p_.data(), z_.data(), beta, active_);
+    turn(p_.data(), z_.data(), beta, answer_.active);
   }
-  for (const std::int32_t v : nodes_) mark[v] = -1;
-  for (const std::int32_t v : held_) mark[v] = -1;
+  for (const std::int32_t v : answer_.nodes) mark[v] = -1;
+  for (const std::int32_t v : answer_.held) mark[v] = -1;
 }
 
-Vec3 PatchSolver::displacement(const LayerState& layer, std::int32_t i) const {
-  const PlaneBasis basis(layer.field.normals()[nodes_[i]]);
+Vec3 PatchAnswer::displacement(const LayerState& layer, std::int32_t i) const {
+  const PlaneBasis basis(layer.field.normals()[nodes[i]]);
   const auto k = 2 * static_cast<std::size_t>(i);
-  return scale_ * (static_cast<double>(x_[k]) * basis.a + static_cast<double>(x_[k + 1]) * basis.b);
+  return scale * (static_cast<double>(x[k]) * basis.a + static_cast<double>(x[k + 1]) * basis.b);
 }
 
 }  // namespace craze

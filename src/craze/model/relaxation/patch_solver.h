@@ -34,6 +34,20 @@ struct LayerState {
   }
 };
 
+/// What a solve has found.
+struct PatchAnswer {
+  std::vector<std::int32_t> nodes;  ///< that were read, by rings around the seeds
+  std::int32_t active = 0;          ///< how many of them have moved: the first ones
+  std::vector<std::int32_t> held;   ///< fixed nodes next to those
+  std::vector<float> x;             ///< two numbers a node, times `scale`
+  double scale = 1;                 ///< of forces: the tolerance or more
+  std::int64_t iterations = 0;
+  std::int64_t node_updates = 0;  ///< sum over the iterations of the nodes read
+
+  /// The displacement of nodes[i], length.
+  Vec3 displacement(const LayerState& layer, std::int32_t i) const;
+};
+
 /// Solves (K + κ M) x = F − κ M u near a few nodes, in single precision, by conjugate gradients
 /// with the 2x2 diagonal blocks as preconditioner. Each iteration of that method reaches one ring
 /// of neighbours further; here a ring is only taken in while the residual on it matters, so that a
@@ -52,17 +66,9 @@ class PatchSolver {
              bool takes_all, const std::vector<std::int32_t>& seed_patch,
              std::vector<std::int32_t>& mark, const StopQuestion& stop = {});
 
-  /// Nodes read, by rings around the seeds.
-  const std::vector<std::int32_t>& nodes() const { return nodes_; }
-  /// How many of them have moved: the first ones.
-  std::int32_t active() const { return active_; }
-  /// Fixed nodes next to those.
-  const std::vector<std::int32_t>& held() const { return held_; }
-  /// The displacement of nodes()[i], length.
-  Vec3 displacement(const LayerState& layer, std::int32_t i) const;
-  std::int64_t iterations() const { return iterations_; }
-  /// Sum over the iterations of the nodes read.
-  std::int64_t node_updates() const { return node_updates_; }
+  /// Of the last solve, to read or to swap for another whose storage may be used.
+  const PatchAnswer& answer() const { return answer_; }
+  PatchAnswer& answer() { return answer_; }
 
  private:
   struct Task {
@@ -70,7 +76,7 @@ class PatchSolver {
     std::int32_t patch;
     bool takes_all;
     const std::vector<std::int32_t>& seed_patch;
-    std::vector<std::int32_t>& mark;  // of a node read: its index in nodes_
+    std::vector<std::int32_t>& mark;  // of a node read: its index in answer_.nodes
   };
 
   void clear();
@@ -80,18 +86,15 @@ class PatchSolver {
   void load_rows(const Task& task);
   void activate();
 
-  double scale_ = 1;  // of forces: the tolerance or more
-  std::int64_t iterations_ = 0, node_updates_ = 0;
-
-  // Of the nodes, [0, active_) may move, [active_, loaded_) is the ring whose residual is watched,
+  PatchAnswer answer_;
+  // Of its nodes, [0, active) may move, [active, loaded_) is the ring whose residual is watched,
   // and those after are its neighbours.
-  std::int32_t active_ = 0, loaded_ = 0;
+  std::int32_t loaded_ = 0;
   std::int32_t residuals_ = 0;  // nodes whose residual was read
-  std::vector<std::int32_t> nodes_, held_;
   std::vector<std::int32_t> row_begin_, columns_;
   std::vector<Vec4f> blocks_;  // an even number in each row
-  // Two numbers a node, and a multiple of four nodes; zero where a node is not active.
-  std::vector<float> x_, r_, z_, p_, q_;
+  // Like answer_.x: two numbers a node, and a multiple of four nodes; zero where it is not active.
+  std::vector<float> r_, z_, p_, q_;
   std::vector<float> inverse_diagonal_, inverse_off_diagonal_;  // of the 2x2 blocks
 };
 

@@ -10,7 +10,7 @@ namespace craze {
 namespace {
 
 // What a new row has room for beyond its first neighbours, so that a split nearby fits in.
-constexpr std::int32_t spare_blocks = 2;
+constexpr std::int32_t spare_blocks = 1;
 
 }  // namespace
 
@@ -27,12 +27,13 @@ void TangentStiffness::assemble(const TriangleMesh& mesh, const StressField& fie
   columns_.clear();
   faces_.clear();
   blocks_.clear();
-  // A closed surface has six edges a node.
-  constexpr std::size_t typical_row = 7 + spare_blocks;
+  // A closed surface has six edges a node; some more for cracks, to which memory that nothing is
+  // written to costs less than copying all of it.
+  constexpr std::size_t typical_row = 11;
   columns_.reserve(typical_row * mesh.vertex_count());
   faces_.reserve(typical_row * mesh.vertex_count());
   blocks_.reserve(typical_row * mesh.vertex_count());
-  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) make_room(mesh, v);
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) make_room(mesh, v, 0);
   constexpr std::size_t grain = 512;
   parallel_for(threads, rows_.size(), grain, [&](std::size_t begin, std::size_t end) {
     Draft draft;
@@ -57,7 +58,7 @@ void TangentStiffness::update(const TriangleMesh& mesh, const StressField& field
   }
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  for (const std::int32_t v : touched_) make_room(mesh, v);
+  for (const std::int32_t v : touched_) make_room(mesh, v, spare_blocks);
   parallel_for(threads, touched_.size(), 64, [&](std::size_t begin, std::size_t end) {
     Draft draft;
     for (std::size_t i = begin; i < end; ++i) {
@@ -108,13 +109,13 @@ void TangentStiffness::draft_row(const TriangleMesh& mesh, const StressField& fi
   });
 }
 
-void TangentStiffness::make_room(const TriangleMesh& mesh, std::int32_t v) {
+void TangentStiffness::make_room(const TriangleMesh& mesh, std::int32_t v, std::int32_t spare) {
   std::int32_t count = mesh.is_open_vertex(v) ? 2 : 1;  // itself, and a neighbour more than faces
   mesh.for_each_outgoing(v, [&](std::int32_t) { ++count; });
   Extent& extent = rows_[v];
   if (count <= extent.capacity) return;
-  extent.begin = static_cast<std::int64_t>(columns_.size());
-  extent.capacity = count + spare_blocks;
+  extent.begin = static_cast<std::uint32_t>(columns_.size());
+  extent.capacity = count + spare;
   columns_.resize(columns_.size() + extent.capacity, -1);
   faces_.resize(faces_.size() + extent.capacity, -1);
   blocks_.resize(blocks_.size() + extent.capacity);

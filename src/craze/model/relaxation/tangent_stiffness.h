@@ -57,7 +57,7 @@ class TangentStiffness {
   }
   /// Asks for a row, or for where it is, some time before it is read.
   void prefetch(std::int32_t v) const {
-    const std::int64_t begin = rows_[v].begin;
+    const std::uint32_t begin = rows_[v].begin;
     const char* blocks = reinterpret_cast<const char*>(blocks_.data() + begin);
     for (int line = 0; line < 2; ++line) __builtin_prefetch(blocks + 64 * line);
     __builtin_prefetch(columns_.data() + begin);
@@ -68,7 +68,7 @@ class TangentStiffness {
 
  private:
   struct Extent {
-    std::int64_t begin = 0;
+    std::uint32_t begin = 0;
     std::int32_t count = 0, capacity = 0, faces = 0;
   };
 
@@ -80,7 +80,7 @@ class TangentStiffness {
 
   void draft_row(const TriangleMesh& mesh, const StressField& field, std::int32_t v,
                  Draft& draft) const;
-  void make_room(const TriangleMesh& mesh, std::int32_t v);
+  void make_room(const TriangleMesh& mesh, std::int32_t v, std::int32_t spare);
   void store_row(const TriangleMesh& mesh, std::int32_t v, const Draft& draft);
 
   double adhesion_;

@@ -54,7 +54,7 @@ class FaceSpread {
       free_.push_back(arrival.slot);
       if (takes(arrival.face, arrival.distance, traveller.thing)) accept(arrival, traveller);
     }
-    accepted_.clear();
+    accepted_ = NumberSet();
   }
 
   /// Per face: no point of it is farther from a thing; ∞: none is there.

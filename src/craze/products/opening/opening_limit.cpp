@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "craze/mesh/crossing/triangles_cross.h"
 #include "craze/mesh/self_intersection.h"
 #include "craze/products/opening/curl.h"
 #include "craze/products/opening/spread_limit.h"
@@ -60,8 +61,8 @@ class Limiter {
     for (int round = 0; round < rounds && !sound; ++round) {
       context_.report({"open", static_cast<double>(round) / rounds});
       context_.check();
-      spread(shares_.move, growth_);
-      spread(shares_.depth, 1 / taper_per_spacing);
+      spread(lowered_moves_, growth_, shares_.move);
+      spread(lowered_depths_, 1 / taper_per_spacing, shares_.depth);
       sound = step(round < rounds_of_steps ? step_back : 0);
       if (round == 0 && !sound) begin_smaller();
     }
@@ -98,13 +99,15 @@ class Limiter {
     shares_.move.assign(shares_.move.size(), share);
     shares_.depth.assign(shares_.depth.size(), 1);
     growth_ = share / smaller_taper_per_spacing;
+    lowered_moves_.clear();
+    lowered_depths_.clear();
   }
 
   /// Takes back where it is too far; true where nothing is.
   bool step(double left) {
     const std::vector<Vec3> positions = motion_.positions(shares_);
-    const std::vector<std::int32_t> turned = turned_faces(mesh_, positions);
     const Pairs pairs = crossings(positions);
+    const std::vector<std::int32_t> turned = turned_at(positions);
     std::vector<std::uint8_t> less_move(shares_.move.size(), 0), less_depth(less_move);
     for (const std::int32_t f : turned) mark(f, less_move);
     for (const auto& [f, g] : pairs) {
@@ -117,22 +120,39 @@ class Limiter {
       mark(f, marks);
       mark(g, marks);
     }
-    take(less_move, left, shares_.move);
-    take(less_depth, left, shares_.depth);
+    lowered_moves_ = take(less_move, left, shares_.move);
+    lowered_depths_ = take(less_depth, left, shares_.depth);
     return turned.empty() && pairs.empty();
+  }
+
+  /// turned_faces(), asked again only of what moved for the last crossings().
+  std::vector<std::int32_t> turned_at(const std::vector<Vec3>& positions) {
+    const std::vector<char>& moved = crossings_.moved();
+    is_turned_.resize(mesh_.triangles().size());
+    std::vector<std::int32_t> turned;
+    for (std::int32_t f = 0; f < mesh_.face_count(); ++f) {
+      const auto& [a, b, c] = mesh_.triangle(f);
+      if (moved[a] || moved[b] || moved[c]) is_turned_[f] = is_turned(mesh_, positions, f) ? 1 : 0;
+      if (is_turned_[f]) turned.push_back(f);
+    }
+    return turned;
   }
 
   void mark(std::int32_t face, std::vector<std::uint8_t>& marks) const {
     for (const std::int32_t v : triangles_[face]) marks[top_of(v)] = 1;
   }
 
-  static void take(const std::vector<std::uint8_t>& marks, double left,
-                   std::vector<double>& share) {
+  /// What was lowered.
+  static std::vector<std::int32_t> take(const std::vector<std::uint8_t>& marks, double left,
+                                        std::vector<double>& share) {
+    std::vector<std::int32_t> lowered;
     for (std::size_t v = 0; v < share.size(); ++v) {
       if (!marks[v]) continue;
+      lowered.push_back(static_cast<std::int32_t>(v));
       share[v] *= left;
       if (share[v] < nothing) share[v] = 0;
     }
+    return lowered;
   }
 
   double largest(std::int32_t f, std::int32_t g, const std::vector<double>& share) const {
@@ -144,32 +164,28 @@ class Limiter {
   }
 
   /// No share grows faster along the surface than over the taper.
-  void spread(std::vector<double>& share, double growth) const {
+  void spread(const std::vector<std::int32_t>& lowered, double growth,
+              std::vector<double>& share) const {
     if (spacing_ == 0) return;  // no cracks
-    spread_limit(mesh_, motion_.sites, on_site_, 1, growth, spacing_, share);
+    spread_limit_from(mesh_, motion_.sites, on_site_, lowered, growth, spacing_, share);
   }
 
   Pairs crossings(const std::vector<Vec3>& positions) {
     const Pairs& pairs = crossings_.at(positions, context_);
-    if (pairs.empty()) return pairs;
-    if (!knows_before_) {
-      before_ = SelfIntersections(mesh_.triangles(), most_pairs_, mesh_.face_count())
-                    .at(mesh_.positions(), context_);
-      find_pierced();
-      knows_before_ = true;
-    }
     Pairs fresh;
-    std::set_difference(pairs.begin(), pairs.end(), before_.begin(), before_.end(),
-                        std::back_inserter(fresh));
-    fresh.erase(std::remove_if(fresh.begin(), fresh.end(),
-                               [&](const auto& pair) { return is_pierced(pair[0], pair[1]); }),
-                fresh.end());
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(fresh), [&](const auto& pair) {
+      return !crossed_before(pair[0], pair[1]) && !is_pierced(pair[0], pair[1]);
+    });
     return fresh;
   }
 
-  /// Which shells pass through which others as they are: where they do so moves as they open.
-  void find_pierced() {
-    if (before_.empty()) return;
+  bool crossed_before(std::int32_t f, std::int32_t g) const {
+    return std::max(f, g) < mesh_.face_count() &&
+           triangles_cross(mesh_.positions(), mesh_.triangle(f), mesh_.triangle(g), true);
+  }
+
+  /// The parts of the mesh with its cracks shut.
+  void find_shells() {
     shell_.resize(mesh_.vertex_count());
     std::iota(shell_.begin(), shell_.end(), 0);
     const auto find = [&](std::int32_t v) {
@@ -183,12 +199,21 @@ class Limiter {
       }
     }
     for (std::int32_t v = 0; v < mesh_.vertex_count(); ++v) shell_[v] = find(mesh_.root(v));
-    for (const auto& [f, g] : before_) pierced_.push_back(shells_of(f, g));
-    std::sort(pierced_.begin(), pierced_.end());
   }
 
-  bool is_pierced(std::int32_t f, std::int32_t g) const {
-    if (pierced_.empty() || shell_of(f) == shell_of(g)) return false;
+  /// Which shells pass through which others as they are: where they do so moves as they open.
+  void find_pierced() {
+    const Pairs before = SelfIntersections(mesh_.triangles(), most_pairs_, mesh_.face_count())
+                             .at(mesh_.positions(), context_);
+    for (const auto& [f, g] : before) pierced_.push_back(shells_of(f, g));
+    std::sort(pierced_.begin(), pierced_.end());
+    knows_pierced_ = true;
+  }
+
+  bool is_pierced(std::int32_t f, std::int32_t g) {
+    if (shell_.empty()) find_shells();
+    if (shell_of(f) == shell_of(g)) return false;
+    if (!knows_pierced_) find_pierced();
     return std::binary_search(pierced_.begin(), pierced_.end(), shells_of(f, g));
   }
 
@@ -220,10 +245,11 @@ class Limiter {
   double spacing_ = 0;                              // mean distance between cracks
   double growth_ = 1 / taper_per_spacing;           // of a share of the way, over such a distance
   OpeningShares shares_;
-  Pairs before_;  // crossings of the mesh as it is
-  bool knows_before_ = false;
-  std::vector<std::int32_t> shell_;  // #V: parts of the mesh with its cracks shut
+  std::vector<std::int32_t> lowered_moves_, lowered_depths_;    // by the last step
+  std::vector<char> is_turned_;                                 // #F, at the last step
+  std::vector<std::int32_t> shell_;                             // #V; empty: not asked for
   std::vector<std::pair<std::int32_t, std::int32_t>> pierced_;  // shells, ascending
+  bool knows_pierced_ = false;
 };
 
 }  // namespace

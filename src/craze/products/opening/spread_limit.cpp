@@ -9,11 +9,20 @@ namespace craze {
 void spread_limit(const TriangleMesh& mesh, const CrackSites& sites,
                   const std::vector<std::vector<std::int32_t>>& on_site, double most, double growth,
                   double length, std::vector<double>& limit) {
+  std::vector<std::int32_t> from;
+  for (std::size_t v = 0; v < limit.size(); ++v) {
+    if (limit[v] < most) from.push_back(static_cast<std::int32_t>(v));
+  }
+  spread_limit_from(mesh, sites, on_site, from, growth, length, limit);
+}
+
+void spread_limit_from(const TriangleMesh& mesh, const CrackSites& sites,
+                       const std::vector<std::vector<std::int32_t>>& on_site,
+                       const std::vector<std::int32_t>& lowered, double growth, double length,
+                       std::vector<double>& limit) {
   using Entry = std::pair<double, std::int32_t>;  // limit, vertex
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (std::size_t v = 0; v < limit.size(); ++v) {
-    if (limit[v] < most) queue.emplace(limit[v], static_cast<std::int32_t>(v));
-  }
+  for (const std::int32_t v : lowered) queue.emplace(limit[v], v);
   const auto lower = [&](std::int32_t v, double to) {
     if (limit[v] <= to) return;
     limit[v] = to;

@@ -17,4 +17,10 @@ void spread_limit(const TriangleMesh& mesh, const CrackSites& sites,
                   const std::vector<std::vector<std::int32_t>>& on_site, double most, double growth,
                   double length, std::vector<double>& limit);
 
+/// The same of limits that were spread, of which these have been lowered since.
+void spread_limit_from(const TriangleMesh& mesh, const CrackSites& sites,
+                       const std::vector<std::vector<std::int32_t>>& on_site,
+                       const std::vector<std::int32_t>& lowered, double growth, double length,
+                       std::vector<double>& limit);
+
 }  // namespace craze

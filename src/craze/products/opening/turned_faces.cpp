@@ -47,19 +47,23 @@ Vec3 mean_of_hardest(const TriangleMesh& mesh, const std::vector<Vec3>& shift,
 
 }  // namespace
 
-std::vector<std::int32_t> turned_faces(const TriangleMesh& mesh,
-                                       const std::vector<Vec3>& positions) {
+bool is_turned(const TriangleMesh& mesh, const std::vector<Vec3>& positions, std::int32_t f) {
   const auto edge = [&](const std::vector<Vec3>& p, std::int32_t h) -> Vec3 {
     return p[mesh.to(h)] - p[mesh.from(h)];
   };
+  const Triangle& t = mesh.triangle(f);
+  bool turned = area_normal(mesh.positions(), t).dot(area_normal(positions, t)) < 0;
+  for (std::int32_t h = 3 * f; h < 3 * f + 3 && !turned; ++h) {
+    turned = edge(mesh.positions(), h).dot(edge(positions, h)) < 0;
+  }
+  return turned;
+}
+
+std::vector<std::int32_t> turned_faces(const TriangleMesh& mesh,
+                                       const std::vector<Vec3>& positions) {
   std::vector<std::int32_t> faces;
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const Triangle& t = mesh.triangle(f);
-    bool turned = area_normal(mesh.positions(), t).dot(area_normal(positions, t)) < 0;
-    for (std::int32_t h = 3 * f; h < 3 * f + 3 && !turned; ++h) {
-      turned = edge(mesh.positions(), h).dot(edge(positions, h)) < 0;
-    }
-    if (turned) faces.push_back(f);
+    if (is_turned(mesh, positions, f)) faces.push_back(f);
   }
   return faces;
 }

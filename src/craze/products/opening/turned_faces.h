@@ -14,6 +14,9 @@ namespace craze {
 std::vector<std::int32_t> turned_faces(const TriangleMesh& mesh,
                                        const std::vector<Vec3>& positions);
 
+/// Whether face f is one of them.
+bool is_turned(const TriangleMesh& mesh, const std::vector<Vec3>& positions, std::int32_t f);
+
 /// `shift` (#V), but faces that it would turn over move as one, by the mean of their vertices'
 /// shifts, of those on hard edges or at corners alone where there are any: needles beside a crack,
 /// which its rims would overtake. So what is wider than a needle opens all the way. Where more than
