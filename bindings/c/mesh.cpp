@@ -89,9 +89,9 @@ void check_rows(std::string_view name, int64_t rows, std::size_t wanted, int32_t
                 std::to_string(rows) + " given, " + std::to_string(wanted) + " needed");
   }
   if (columns < 1 || (wanted_columns > 0 && columns != wanted_columns)) {
-    const std::string wanted = wanted_columns > 0 ? std::to_string(wanted_columns) : "at least 1";
+    const std::string needed = wanted_columns > 0 ? std::to_string(wanted_columns) : "at least 1";
     throw Error(ErrorKind::usage, "wrong number of columns", std::string(name),
-                std::to_string(columns) + " given, " + wanted + " needed");
+                std::to_string(columns) + " given, " + needed + " needed");
   }
 }
 
