@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: preset_pictures.sh CRAZE. Makes the panel's pictures anew, one of each preset: a plate from
-# above, filling the picture, in 64 colours of its own: the studio's page loads them too. About five
+# above, filling the picture, in 32 colours of its own: the studio's page loads them too. About five
 # minutes, nearly all of it the cycles of mud-mature. Needs Pillow (python3-pil).
 set -euo pipefail
 folder=$(cd "$(dirname "$0")" && pwd)/craze_blender/pictures
@@ -14,5 +14,5 @@ import pathlib, sys
 from PIL import Image
 for path in pathlib.Path(sys.argv[1]).glob("*.png"):
     picture = Image.open(path).convert("RGB")
-    picture.quantize(64, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).save(path, optimize=True)
+    picture.quantize(32, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).save(path, optimize=True)
 EOF
