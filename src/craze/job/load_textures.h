@@ -24,8 +24,7 @@ std::vector<NamedTexture> named_textures(const Recipe& recipe);
 /// Where a file's pictures are sought: beside it first, then from the working folder.
 struct TextureFolder {
   std::filesystem::path folder;  ///< of the recipe's or plan's file
-  std::set<std::string>
-      names;  ///< that the file gives; the others are seen from the working folder
+  std::set<std::string> names;   ///< that it gives; others are sought in the working folder alone
 };
 
 /// That of a file in `folder` which gives all that `recipe` names.

@@ -63,6 +63,11 @@ PlanValue follow(const Linked& d, const PlanValue& other, const std::string& whe
               plan_text(other) + " is not a number; give a map");
 }
 
+template <class Law>
+std::vector<PlanValue> ends(const Law& law) {
+  return {plan_value({law.low, law.unit}), plan_value({law.high, law.unit})};
+}
+
 }  // namespace
 
 std::string plan_text(const PlanValue& value) {
@@ -108,15 +113,6 @@ PlanValue draw(const Distribution& distribution, Random& random, const PlanValue
                  [](const Axis& d) { return d.values.front(); }},
       distribution);
 }
-
-namespace {
-
-template <class Law>
-std::vector<PlanValue> ends(const Law& law) {
-  return {plan_value({law.low, law.unit}), plan_value({law.high, law.unit})};
-}
-
-}  // namespace
 
 std::vector<PlanValue> extremes(const Distribution& distribution) {
   using Values = std::vector<PlanValue>;

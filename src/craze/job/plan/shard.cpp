@@ -18,7 +18,7 @@ Shard parse_shard(const std::string& text) {
   }
   if (!good) {
     throw Error(ErrorKind::usage, "not a shard", "--shard " + text,
-                "write i/N, N at least 1 and i from 0 to N - 1");
+                "write i/N, N at least 1 and i counted from 0 or from 1");
   }
   shard.index %= shard.count;
   return shard;
