@@ -8,9 +8,12 @@
 #include "app.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
+#include "craze/job/dataset/dataset_growth.h"
 #include "craze/job/dataset/shards/contact_sheet.h"
+#include "craze/job/dataset/verify_dataset.h"
 #include "craze/job/output_folder.h"
 #include "craze/render/png.h"
+#include "growth_note.h"
 #include "run_options.h"
 
 namespace craze::app {
@@ -30,6 +33,8 @@ int make(const Options& options) {
   const Shard shard = parse_shard(options.shard);
   PlanSource source = read_plan_file(options.plan);
   if (options.samples > 0) source = with_samples(source, options.samples);
+  print_growth(options.run, dataset_growth(source, options.output),
+               {"the set", "samples", "shard"});
   const Run run(options.run);
   const DatasetResult made = make_dataset(source, options.output, shard, run.context());
   if (options.run.quiet) return done;
@@ -154,7 +159,7 @@ void add_dataset(CLI::App& app, Action& action) {
       "  craze dataset sample wall 17 -o sample_17\n"
       "  craze dataset look wall -o sheet.png\n"
       "A set that was stopped, even killed, goes on where it was when started again, with any "
-      "number of shards.");
+      "number of shards; so does a whole one with a larger --samples.");
   add_verbs(*verb, options, action);
   for (CLI::App* of_set : verb->get_subcommands({})) {
     for (CLI::Option* making : {plan, folder, shard, samples, keys}) of_set->excludes(making);

@@ -7,6 +7,7 @@
 
 #include "app.h"
 #include "craze/job/sweep/sweep_rows.h"
+#include "growth_note.h"
 #include "run_options.h"
 
 namespace craze::app {
@@ -22,9 +23,10 @@ struct Options {
 int sweep(const Options& options) {
   if (options.keys) return print(plan_reference(sweep_schema()));
   const Shard shard = parse_shard(options.shard);
+  const PlanSource source = read_plan_file(options.plan);
+  print_growth(options.run, sweep_growth(source, options.folder), {"the table", "rows", "part"});
   const Run run(options.run);
-  const SweepResult made =
-      run_sweep(read_plan_file(options.plan), options.folder, shard, run.context());
+  const SweepResult made = run_sweep(source, options.folder, shard, run.context());
   if (options.run.quiet) return done;
   const std::string left = made.parts_left == 0
                                ? "table.csv, columns and plots are whole"
@@ -57,7 +59,7 @@ void add_sweep(CLI::App& app, Action& action) {
       "  craze sweep spacing.toml -o spacing --shard 3/16\n"
       "  parallel craze sweep spacing.toml -o spacing --threads 1 --shard {}/8 ::: $(seq 8)\n"
       "A run that was stopped, even killed, goes on where it was when started again, with any "
-      "number of shards.");
+      "number of shards; so does a whole one with more draws, where the plan has no axis.");
   verb->callback([options, plan, folder, &action] {
     if (!options->keys) {
       if (plan->empty()) throw CLI::RequiredError("PLAN");

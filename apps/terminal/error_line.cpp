@@ -48,6 +48,10 @@ void print_warning(MessageStyle style, const std::string& message) {
   print_message(style, "warning", "\x1b[1;33m", message);
 }
 
+void print_note(MessageStyle style, const std::string& message) {
+  print_message(style, "note", "\x1b[1;36m", message);
+}
+
 void print_stopped(MessageStyle style) {
   if (style == MessageStyle::json) {
     print_json("error", "stopped");

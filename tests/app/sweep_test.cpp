@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <thread>
+#include <tuple>
 
 #include "app/command.h"
 
@@ -174,6 +175,55 @@ TEST_F(Sweep, OneFolderHoldsOnePlan) {
   const CommandResult result = run({"sweep", "plan.toml", "-o", "out"});
   EXPECT_EQ(result.code, 2);
   EXPECT_NE(result.err.find("holds another plan"), std::string::npos) << result.err;
+}
+
+TEST_F(Sweep, MoreDrawsGoOnWhereFewerEnded) {
+  const auto plan = [&](int draws, int repeats) {
+    std::ofstream(file("plan.toml")) << "draws = " << draws << "\nrepeats = " << repeats
+                                     << "\npart_rows = 4\n"
+                                        "object = \"shape:plate?n=14&jitter=0.3\"\n"
+                                        "[recipe]\npreset = \"mud\"\n"
+                                        "material.alpha = {uniform = [0.1, 0.9]}\n";
+  };
+  plan(6, 2);
+  ASSERT_EQ(run({"sweep", "plan.toml", "-o", "at_once"}).code, 0);
+  plan(3, 2);
+  ASSERT_EQ(run({"sweep", "plan.toml", "-o", "out"}).code, 0);
+  const std::string small = read_text(file("out/table.csv"));
+  plan(6, 2);
+  for (int attempt = 0; attempt < 8; ++attempt) {
+    const pid_t process = start({"sweep", "plan.toml", "-o", "out", "--threads", "1"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(3 + 11 * attempt));
+    kill(process, SIGKILL);
+    finish(process);
+    // Where it is, it is the one of before or the whole one, and columns have its rows.
+    const std::string table = read_text(file("out/table.csv"));
+    const bool whole = table == read_text(file("at_once/table.csv"));
+    EXPECT_TRUE(table.empty() || table == small || whole);
+    if (!table.empty()) {
+      EXPECT_NE(read_text(file("out/columns/row.npy")).find(whole ? "(12,)" : "(6,)"),
+                std::string::npos);
+    }
+  }
+  ASSERT_EQ(run({"sweep", "plan.toml", "-o", "out", "--shard", "1/2"}).code, 0);
+  ASSERT_EQ(run({"sweep", "plan.toml", "-o", "out", "--shard", "2/2"}).code, 0);
+  for (const char* name : {"table.csv", "plan.toml", "made_by.json", "parts/000001.csv"}) {
+    EXPECT_EQ(read_text(file("out") / name), read_text(file("at_once") / name)) << name;
+  }
+  expect_same_files("out", "at_once");
+  const std::string table = read_text(file("out/table.csv"));
+  for (const auto& [draws, repeats, words] :
+       {std::tuple(5, 2, "12 rows there, 10 asked for"), {6, 3, "come behind those there are"}}) {
+    plan(draws, repeats);
+    const CommandResult refused = run({"sweep", "plan.toml", "-o", "out"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find(words), std::string::npos) << refused.err;
+    EXPECT_EQ(refused.err.find('\n'), refused.err.size() - 1) << refused.err;
+    EXPECT_EQ(read_text(file("out/table.csv")), table);
+  }
+  plan(7, 2);
+  EXPECT_EQ(run({"sweep", "plan.toml", "-o", "out"}).err,
+            "craze: note: the table goes on from 12 rows to 14\n");
 }
 
 TEST_F(Sweep, WrongShardsAreRefused) {

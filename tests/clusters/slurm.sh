@@ -1,6 +1,7 @@
 #!/bin/bash
 # slurm.sh CRAZE SOURCE WORK: a Slurm of one node, started here as root with ports of its own, and an
-# array of tasks on it, one of which is killed and one put back into the queue.
+# array of tasks on it, one of which is killed and one put back into the queue. They go on with a set
+# of fewer samples.
 for program in munged slurmctld slurmd sbatch scontrol squeue; do
   PATH=$PATH:/usr/sbin command -v $program >/dev/null || {
     echo "skipped: no $program (apt: slurm-wlm munge)"
@@ -83,6 +84,7 @@ finish() {
   squeue
   exit 1
 }
+"$craze" dataset "$work/plan.toml" -o out --quiet --samples 5
 job=$(submit 0-3)
 sleep 1
 scancel --batch --signal=TERM "${job}_1" 2>/dev/null || true  # as at the end of its time

@@ -6,6 +6,7 @@
 
 #include "craze/context.h"
 #include "craze/job/dataset/dataset.h"
+#include "craze/job/dataset/verify_dataset.h"
 #include "craze/job/run.h"
 #include "craze/job/sweep/sweep.h"
 #include "craze/job/texture.h"

@@ -15,7 +15,7 @@ from small import COMMAND
 
 PLAN = """
 samples = 12
-shard_samples = 1
+shard_samples = 2
 width = 48
 height = 48
 [object]
@@ -35,7 +35,7 @@ def files(folder):
 @unittest.skipUnless(importlib.util.find_spec("distributed"),
                      "no dask.distributed (apt: python3-distributed)")
 class Dask(unittest.TestCase):
-    def test_workers_that_are_killed_change_no_byte(self):
+    def test_workers_that_are_killed_change_no_byte_of_a_set_that_grows(self):
         from distributed import Client, LocalCluster
 
         with tempfile.TemporaryDirectory() as folder:
@@ -43,6 +43,8 @@ class Dask(unittest.TestCase):
             plan.write_text(PLAN, encoding="utf-8")
             subprocess.run([COMMAND, "dataset", plan, "-o", Path(folder, "one"), "--quiet"],
                            check=True)
+            subprocess.run([COMMAND, "dataset", plan, "-o", Path(folder, "many"), "--quiet",
+                            "--samples", "3"], check=True)
             with LocalCluster(n_workers=2, threads_per_worker=1, processes=True,
                               dashboard_address=None) as cluster, Client(cluster) as client:
                 pids = list(client.run(os.getpid).values())
@@ -54,7 +56,8 @@ class Dask(unittest.TestCase):
                 killer = threading.Thread(target=kill)
                 killer.start()
                 craze.cluster.run("dataset", str(plan), str(Path(folder, "many")), client=client,
-                                  shards=5, command=COMMAND)
+                                  shards=5, command=COMMAND,
+                                  arguments=("--samples", "12"))
                 killer.join()
             self.assertEqual(files(Path(folder, "one")), files(Path(folder, "many")))
 

@@ -47,6 +47,22 @@ class NoSet(unittest.TestCase):
             next(craze.dataset.samples(folder))
 
 
+class HalfGrown(unittest.TestCase):
+    def test_set_gives_the_samples_that_are_there(self):
+        plan = PLATE.replace("samples = 3", "samples = 3\nshard_samples = 2")
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "plan.toml").write_text(plan, encoding="utf-8")
+
+            def there(*more):
+                subprocess.run([COMMAND, "dataset", "plan.toml", "-o", "set", "--quiet", *more],
+                               cwd=folder, check=True)
+                return [s["json"]["index"] for s in craze.dataset.samples(Path(folder, "set"))]
+
+            self.assertEqual(there(), [0, 1, 2])
+            self.assertEqual(there("--samples", "7", "--shard", "3/4"), [0, 1, 2, 6])
+            self.assertEqual(there("--samples", "7"), list(range(7)))
+
+
 def projected(camera, points):
     """Pixels and depths of points: K [R | t]."""
     matrix = np.array(camera["world_to_camera"])

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "craze/base/random.h"
+#include "craze/error.h"
+#include "craze/io/bytes/sha256.h"
 #include "temporary_folder.h"
 
 namespace craze {
@@ -57,25 +59,29 @@ Sample sample(std::uint64_t index, int cracks) {
 
 TEST(Coco, PartsJoinToWhatOnePartWouldBe) {
   const TemporaryFolder folder;
-  CocoPart all;
-  std::vector<std::filesystem::path> parts;
+  CocoPart all, copied;
+  std::vector<CocoFile> parts;
   const int cracks[] = {0, 2, 0, 1, 0};
   for (std::uint64_t i = 0; i < 5; ++i) {
     CocoPart part;
     part.add(sample(i, cracks[i]), i, 4, 3);
     all.add(sample(i, cracks[i]), i, 4, 3);
-    parts.push_back(folder / std::to_string(i));
-    std::ofstream(parts.back()) << part.text();
+    copied.add(part.text(), "part");
+    parts.push_back({folder / std::to_string(i), sha256(part.text())});
+    std::ofstream(parts.back().path) << part.text();
   }
-  join_coco(parts, folder / "joined", {});
-  std::ifstream file(folder / "joined");
-  const std::string joined{std::istreambuf_iterator<char>(file), {}};
+  std::string joined;
+  const auto put = [&](std::string_view piece) { joined += piece; };
+  join_coco(parts, {}, put);
   EXPECT_EQ(joined, all.text());
+  EXPECT_EQ(copied.text(), all.text());
   const auto json = nlohmann::json::parse(joined);
   EXPECT_EQ(json["images"].size(), 5u);
   ASSERT_EQ(json["annotations"].size(), 3u);
   EXPECT_EQ(json["annotations"][0]["bbox"], (nlohmann::json{1, 0, 1, 2}));
   EXPECT_EQ(json["annotations"][2]["image_id"], 3);
+  parts[1].sha256 = parts[0].sha256;
+  EXPECT_THROW(join_coco(parts, {}, put), Error) << "of other bytes";
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,17 +24,13 @@ struct DatasetResult {
 /// where it has none, in a line in front. Throws Error(usage) where it is no TOML.
 PlanSource with_samples(const PlanSource& source, std::uint64_t samples);
 
-/// Makes the archives of a shard that are not there yet (shard_files.h). Where none is missing, of
-/// whatever shard, writes coco.json, croissant.json and dataset.json of all. Archives do not depend
-/// on the shards, on threads or on where a run was stopped. Throws Error and Cancelled; archives
-/// made until then stay.
+/// Makes the archives of a shard that are not there yet (shard_files.h). A set that is there goes
+/// on to more samples (dataset_growth.h). Where none is missing, of whatever shard, writes
+/// coco.json, croissant.json and dataset.json of all. Archives do not depend on the shards, on
+/// threads or on where a run was stopped. Throws Error and Cancelled; archives made until then
+/// stay.
 DatasetResult make_dataset(const PlanSource& source, const std::filesystem::path& folder,
                            Shard shard, const Context& context);
-
-/// What is wrong with a set, a sentence each; none: it is whole and every byte is what it was.
-/// Reads all of it, a file at a time. Throws Error(input) where it is no set, and Cancelled.
-std::vector<std::string> verify_dataset(const std::filesystem::path& folder,
-                                        const Context& context);
 
 /// A sample made again beside what the set holds: the kinds of files that differ; and the files.
 struct RemadeSample {

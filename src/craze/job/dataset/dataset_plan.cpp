@@ -32,9 +32,14 @@ PlanKey fixed(PlanKey key) {
   return key;
 }
 
+PlanKey extent(PlanKey key) {
+  key.extent = true;
+  return fixed(std::move(key));
+}
+
 Keys set_keys() {
   return {
-      fixed(whole("samples", 100, 1, 1e9, "how many")),
+      extent(whole("samples", 100, 1, 1e9, "how many")),
       fixed(whole("seed", 1, 0, 9007199254740000.0, "another one gives another set")),
       fixed(whole("shard_samples", 64, 1, 100000, "samples of a shard, a tar file")),
       fixed(whole("width", 512, 16, 8192, "of the pictures, pixels")),

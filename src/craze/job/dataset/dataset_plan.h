@@ -1,6 +1,7 @@
 // What a dataset's plan may say.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "craze/job/plan/plan.h"
@@ -21,6 +22,10 @@ struct DatasetShape {
   std::uint64_t points = 0;   ///< rays of a sample's point cloud; 0: it has none
 
   std::uint64_t shards() const { return (samples + shard_samples - 1) / shard_samples; }
+  /// How many are in a shard, of which the last may have fewer.
+  std::uint64_t samples_of(std::uint64_t shard) const {
+    return std::min(shard_samples, samples - shard * shard_samples);
+  }
 };
 
 DatasetShape dataset_shape(const Plan& plan);

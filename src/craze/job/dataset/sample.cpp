@@ -183,7 +183,10 @@ double SampleSums::median_width() const {
 }
 
 DatasetPlan::DatasetPlan(const PlanSource& from)
-    : source(from), plan(from.text, from.name, dataset_schema()), shape(dataset_shape(plan)) {
+    : source(from),
+      plan(from.text, from.name, dataset_schema()),
+      shape(dataset_shape(plan)),
+      sha256(craze::sha256(plan.identity())) {
   constexpr std::uint64_t most_shards = 1000000;  // their names have six digits
   if (shape.shards() > most_shards) {
     throw Error(ErrorKind::usage, "too many shards", from.name,

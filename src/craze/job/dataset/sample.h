@@ -52,6 +52,7 @@ struct DatasetPlan {
   PlanSource source;
   Plan plan;
   DatasetShape shape;
+  std::string sha256;  ///< of the plan's identity: the same however many samples it asks for
 };
 
 std::string sample_id(std::uint64_t index);

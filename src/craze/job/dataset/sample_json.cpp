@@ -116,7 +116,9 @@ DepthRange depth_range(const std::vector<float>& depths) {
 std::string sample_json(const SampleFacts& facts) {
   const Scene& scene = facts.scene;
   Json values;
+  const std::vector<std::string> extents = facts.plan.plan.extents();
   for (const auto& [key, value] : facts.values) {
+    if (std::find(extents.begin(), extents.end(), key) != extents.end()) continue;
     if (const auto* number = std::get_if<double>(&value)) {
       values[key] = *number;
     } else {
@@ -135,7 +137,7 @@ std::string sample_json(const SampleFacts& facts) {
       {"index", facts.index},
       {"attempt", facts.attempt},
       {"version", version()},
-      {"plan_sha256", sha256(facts.plan.source.text)},
+      {"plan_sha256", facts.plan.sha256},
       {"clean", facts.clean},
       {"object", word_of(facts.values, "object.mesh")},
       {"seed", scene.recipe.simulation.seed},

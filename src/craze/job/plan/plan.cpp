@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "craze/error.h"
+#include "craze/job/plan/plan_text.h"
 #include "craze/job/plan/read_distribution.h"
 #include "craze/presets.h"
 #include "craze/recipe/nearest_name.h"
@@ -233,6 +234,22 @@ Plan::Plan(std::string_view text, const std::string& name, const PlanSchema& sch
   }
   for (std::size_t i = 0; i < entries_.size(); ++i) by_key_[entries_[i].key] = i;
   order_ = LinkOrder(entries_, by_key_).order;
+}
+
+std::vector<std::string> Plan::extents() const {
+  std::vector<std::string> keys;
+  for (const PlanKey& key : schema_.keys) {
+    const bool linked = std::any_of(entries_.begin(), entries_.end(), [&](const PlanEntry& e) {
+      const auto* link = std::get_if<Linked>(&e.distribution);
+      return link && link->key == key.key;
+    });
+    if (key.extent && !linked) keys.push_back(key.key);
+  }
+  return keys;
+}
+
+std::string Plan::identity() const {
+  return without_keys(text_, name_, extents());
 }
 
 const PlanEntry& Plan::entry(const std::string& key) const {

@@ -25,6 +25,7 @@ struct PlanKey {
   std::vector<std::string> choices = {};  ///< of words; empty: any
   bool fixed = false;                     ///< of the plan as a whole: one value, never drawn
   std::string help = {};                  ///< one line
+  bool extent = false;                    ///< how far the plan goes: changes none of its runs
 };
 
 /// What a kind of plan may hold: its own keys, and in [recipe] those of recipes, without the place
@@ -55,6 +56,11 @@ class Plan {
   /// The text it was read from.
   const std::string& text() const { return text_; }
   const std::vector<PlanEntry>& entries() const { return entries_; }
+
+  /// The keys that say how far the plan goes, but for those that others are linked to.
+  std::vector<std::string> extents() const;
+  /// The text without the lines of extents(): the same of plans whose runs are the same.
+  std::string identity() const;
 
   /// Of fixed keys.
   double number(const std::string& key) const;

@@ -44,15 +44,20 @@ PlanSource read_plan_file(const fs::path& path) {
           fs::absolute(path).parent_path().lexically_normal()};
 }
 
+std::optional<PlanSource> plan_there(const fs::path& folder) {
+  const fs::path path = folder / plan_file;
+  std::error_code failed;
+  if (!fs::exists(path, failed)) return std::nullopt;
+  return PlanSource{read_file(path, "cannot read the plan"), path.string(), folder};
+}
+
 void claim_plan_folder(const fs::path& folder, const PlanSource& source, const std::string& kind,
-                       const Context& context) {
+                       const GoesOn& goes_on, const Context& context) {
   const nlohmann::ordered_json origin{
       {"kind", kind}, {"version", version()}, {"plan_folder", source.folder.string()}};
-  if (fs::exists(folder / plan_file)) {
-    if (read_file(folder / plan_file, "cannot read the plan") != source.text) {
-      throw Error(ErrorKind::usage, "the folder holds another plan", folder.string(),
-                  "give an empty one, or the plan it was begun with");
-    }
+  const std::string origin_text = origin.dump(2) + "\n";
+  if (const auto held = plan_there(folder)) {
+    const bool same = held->text == source.text;
     if (fs::exists(folder / origin_file)) {
       const nlohmann::ordered_json there = origin_of(folder);
       for (const char* what : {"kind", "version"}) {
@@ -61,13 +66,25 @@ void claim_plan_folder(const fs::path& folder, const PlanSource& source, const s
                     std::string(what) + " " + there.value(what, "unknown") + " there, " +
                         origin[what].get<std::string>() + " now; give an empty folder");
       }
-      return;
+      if (same) return;
+    }
+    if (!same && !goes_on(*held)) {
+      throw Error(ErrorKind::usage, "the folder holds another plan", folder.string(),
+                  "give an empty one, or the plan it was begun with");
     }
   }
   make_output_folder("the folder", folder);
   constexpr const char* failure = "cannot write the folder's plan";
+  // The plan last: until it is there, a run that goes on from another does this again.
+  write_file(folder / origin_file, origin_text, failure, context);
   write_file(folder / plan_file, source.text, failure, context);
-  write_file(folder / origin_file, origin.dump(2) + "\n", failure, context);
+}
+
+void check_claim(const fs::path& folder, const PlanSource& source) {
+  const auto held = plan_there(folder);
+  if (held && held->text == source.text) return;
+  throw Error(ErrorKind::usage, "the folder's plan is another one now", folder.string(),
+              "another run has changed it; start again with the plan that is to be");
 }
 
 PlanSource plan_of_folder(const fs::path& folder) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "craze/context.h"
@@ -19,11 +21,22 @@ struct PlanSource {
 /// A plan's file. Throws Error(input) where it cannot be read.
 PlanSource read_plan_file(const std::filesystem::path& path);
 
+/// The plan's file of a folder, where there is one.
+std::optional<PlanSource> plan_there(const std::filesystem::path& folder);
+
+/// Whether a plan goes on where the one of a folder ends, which has another text. May throw Error.
+using GoesOn = std::function<bool(const PlanSource& there)>;
+
 /// Makes the folder and writes plan.toml and made_by.json, which say what it holds and which
-/// version made it. Throws Error(usage) where it holds another plan, or was made by another
-/// version, whose files these could not be told from; Error(output) where it cannot be written.
+/// version made it. Where it holds a plan that this one goes on from, this takes its place. Throws
+/// Error(usage) where it holds another plan, or was made by another version, whose files these
+/// could not be told from; Error(output) where it cannot be written.
 void claim_plan_folder(const std::filesystem::path& folder, const PlanSource& source,
-                       const std::string& kind, const Context& context);
+                       const std::string& kind, const GoesOn& goes_on, const Context& context);
+
+/// Throws Error(usage) where the folder's plan is no longer this one, as another process has
+/// claimed it meanwhile.
+void check_claim(const std::filesystem::path& folder, const PlanSource& source);
 
 /// The plan that a folder was made by. Throws Error(input) where it is no such folder.
 PlanSource plan_of_folder(const std::filesystem::path& folder);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -95,6 +96,17 @@ bool is_whole_part(const fs::path& file, std::uint64_t count) {
   return !lines.empty() && text == with_mark(lines, count);
 }
 
+std::string whole_lines(const fs::path& file) {
+  std::error_code failed;
+  if (!fs::is_regular_file(file, failed)) return "";
+  std::string text = read_file(file, "cannot read a part of the table");
+  const std::string_view lines = without_mark(text);
+  const auto count = static_cast<std::uint64_t>(std::count(lines.begin(), lines.end(), '\n'));
+  if (text != with_mark(lines, count)) return "";
+  text.resize(lines.size());
+  return text;
+}
+
 void join_parts(const SweepRows& rows, const fs::path& folder, const Context& context) {
   const std::vector<SweepColumn> columns = sweep_columns(rows);
   make_output_folder("the columns of the table", folder / "columns");
@@ -121,6 +133,11 @@ void join_parts(const SweepRows& rows, const fs::path& folder, const Context& co
       at = end + 1;
     }
     for (ColumnFile& file : files) file.flush();
+  }
+  // Where table.csv is, the rest is that of its rows.
+  std::error_code failed;
+  if (fs::file_size(folder / "table.csv", failed) != csv.size() && !failed) {
+    fs::remove(folder / "table.csv", failed);
   }
   plots.write(folder / "plots", context);
   for (ColumnFile& file : files) file.finish();

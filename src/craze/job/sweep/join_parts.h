@@ -19,9 +19,13 @@ std::string with_mark(std::string_view lines, std::uint64_t count);
 /// Whether the file is there and its last line says that it is whole, with so many rows.
 bool is_whole_part(const std::filesystem::path& file, std::uint64_t count);
 
+/// The lines of a part without its mark, where that says that they are whole, however many; else
+/// "".
+std::string whole_lines(const std::filesystem::path& file);
+
 /// table.csv, columns/NAME.npy and plots/ of all parts, which must be whole, a part in memory at a
-/// time. Each file is whole or not there, table.csv the last. Throws Error(output), Error(input)
-/// and Cancelled.
+/// time. Each file is whole or not there, table.csv the last; one of fewer rows is removed before
+/// the others are replaced. Throws Error(output), Error(input) and Cancelled.
 void join_parts(const SweepRows& rows, const std::filesystem::path& folder, const Context& context);
 
 }  // namespace craze

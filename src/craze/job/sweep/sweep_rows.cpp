@@ -30,14 +30,16 @@ const PlanSchema& sweep_schema() {
         .low = 1,
         .high = 1e9,
         .fixed = true,
-        .help = "runs with the same values, each with the next seed"},
+        .help = "runs with the same values, each with the next seed",
+        .extent = true},
        {.key = "draws",
         .type = PlanKeyType::integer,
         .standard = 1.0,
         .low = 1,
         .high = 1e9,
         .fixed = true,
-        .help = "times that what is random is drawn at each point of the grid"},
+        .help = "times that what is random is drawn at each point of the grid",
+        .extent = true},
        {.key = "part_rows",
         .type = PlanKeyType::integer,
         .standard = 16.0,
@@ -73,6 +75,14 @@ SweepRows::SweepRows(Plan plan) : plan_(std::move(plan)) {
     throw Error(ErrorKind::usage, "too many rows", "plan",
                 fmt::format("at most {}; take fewer values, draws or repeats", most_rows));
   }
+}
+
+bool SweepRows::begin_with(const SweepRows& other) const {
+  if (other.repeats_ == repeats_ && other.draws_ == draws_) return true;
+  if (count_ != repeats_ * draws_) return false;  // points follow each other
+  const bool more_draws = other.repeats_ == repeats_ && other.draws_ <= draws_;
+  const bool more_repeats = other.draws_ == 1 && other.repeats_ <= repeats_;
+  return more_draws || more_repeats;
 }
 
 PlanValues SweepRows::values(std::uint64_t row) const {

@@ -1,6 +1,7 @@
 // What a sweep runs, row by row.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,6 +25,14 @@ class SweepRows {
   /// Rows of a part: what is written, and done again after a stop, as a whole.
   std::uint64_t rows_of_part() const { return rows_of_part_; }
   std::uint64_t part_count() const { return (count_ + rows_of_part_ - 1) / rows_of_part_; }
+
+  /// How many are in a part, of which the last may have fewer.
+  std::uint64_t rows_of(std::uint64_t part) const {
+    return std::min(rows_of_part_, count_ - part * rows_of_part_);
+  }
+  /// Whether the rows of a plan that is the same but for its draws and repeats are the first of
+  /// these.
+  bool begin_with(const SweepRows& other) const;
 
   /// The values of a row. Rows that differ in their seed alone have the same values.
   PlanValues values(std::uint64_t row) const;

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "craze/error.h"
-#include "craze/io/files/new_file.h"
+#include "craze/io/bytes/sha256.h"
 #include "craze/io/files/read_file.h"
 
 namespace craze {
@@ -29,14 +29,18 @@ std::string lines(const std::vector<std::string>& objects) {
   return text;
 }
 
+[[noreturn]] void fail_damaged(const std::filesystem::path& part) {
+  throw Error(ErrorKind::input, "cannot join a shard's boxes", part.string(),
+              "they are damaged; remove that file and make the set again");
+}
+
 /// The lines of a part's images, or of its annotations.
 std::string_view section(const std::string& text, bool annotations,
                          const std::filesystem::path& part) {
   const std::size_t middle = text.find(between);
   if (text.compare(0, head.size(), head) != 0 || middle == std::string::npos ||
       text.size() < middle + between.size() + tail.size()) {
-    throw Error(ErrorKind::input, "cannot join a shard's boxes", part.string(),
-                "they are damaged; remove that file and make the set again");
+    fail_damaged(part);
   }
   const std::string_view all(text);
   return annotations ? all.substr(middle + between.size(),
@@ -106,31 +110,45 @@ void CocoPart::add(const Sample& sample, std::uint64_t index, int width, int hei
   }
 }
 
+void CocoPart::add(const std::string& text, const std::filesystem::path& name) {
+  for (const bool annotations : {false, true}) {
+    auto& objects = annotations ? annotations_ : images_;
+    std::string_view rest = section(text, annotations, name);
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      std::string_view line = rest.substr(0, end);
+      if (line.ends_with(',')) line.remove_suffix(1);
+      objects.emplace_back(line);
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+}
+
 std::string CocoPart::text() const {
   return std::string(head) + lines(images_) + std::string(between) + lines(annotations_) +
          std::string(tail);
 }
 
-void join_coco(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& path,
-               const Context& context) {
-  NewFile file(path, "cannot write the boxes", context);
-  file.append(head);
+void join_coco(const std::vector<CocoFile>& parts, const Context& context,
+               const std::function<void(std::string_view)>& put) {
+  put(head);
   for (const bool annotations : {false, true}) {
-    if (annotations) file.append(between);
+    if (annotations) put(between);
     bool first = true;
-    for (const auto& part : parts) {
-      const std::string text = read_file(part, "cannot read a shard's boxes", context);
-      std::string_view lines_of_part = section(text, annotations, part);
+    for (const CocoFile& part : parts) {
+      context.check();
+      const std::string text = read_file(part.path, "cannot read a shard's boxes", context);
+      if (sha256(text) != part.sha256) fail_damaged(part.path);
+      std::string_view lines_of_part = section(text, annotations, part.path);
       if (lines_of_part.empty()) continue;
-      if (!first) file.append(",\n");
+      if (!first) put(",\n");
       first = false;
       lines_of_part.remove_suffix(1);  // its last line's end
-      file.append(lines_of_part);
+      put(lines_of_part);
     }
-    if (!first) file.append("\n");
+    if (!first) put("\n");
   }
-  file.append(tail);
-  file.finish();
+  put(tail);
 }
 
 }  // namespace craze

@@ -14,6 +14,7 @@
 #include "craze/io/files/tar.h"
 #include "craze/job/dataset/shards/coco.h"
 #include "craze/job/output_folder.h"
+#include "craze/job/plan/plan_folder.h"
 #include "craze/job/plan/side_by_side.h"
 
 namespace craze {
@@ -59,6 +60,30 @@ class ShardWriter {
     ++mark_.samples;
   }
 
+  /// Takes the samples of a shard of that marker; false, and good for nothing more, where the
+  /// archive or its boxes are not what it says.
+  bool take(const ShardPaths& paths, const ShardMark& mark) {
+    try {
+      TarReader tar(paths.tar);
+      std::string name, bytes;
+      while (tar.next(name, bytes)) {
+        context_.check();
+        append(tar_entry(name, bytes));
+      }
+      const std::string boxes = read_file(paths.coco, "cannot read a shard's boxes");
+      Sha256 as_it_was = hash_;
+      as_it_was.add(tar_end());
+      if (as_it_was.hex() != mark.tar_sha256 || sha256(boxes) != mark.coco_sha256) return false;
+      coco_.add(boxes, paths.coco);
+    } catch (const Error& e) {
+      if (e.kind() != ErrorKind::input) throw;
+      return false;
+    }
+    mark_.sums = mark.sums;
+    mark_.samples = mark.samples;
+    return true;
+  }
+
   ShardMark finish(const ShardPaths& paths, std::uint64_t first) {
     append(tar_end());
     tar_.finish();
@@ -89,18 +114,10 @@ class ShardWriter {
   ShardMark mark_;
 };
 
-}  // namespace
-
-ShardPaths shard_paths(const fs::path& folder, std::uint64_t shard) {
-  const fs::path base = folder / "shards";
-  return {base / fmt::format("{:06}.tar", shard), base / fmt::format("{:06}.coco.json", shard),
-          base / fmt::format("{:06}.json", shard)};
-}
-
-std::optional<ShardMark> read_mark(const DatasetShape& shape, const fs::path& folder,
-                                   std::uint64_t shard) {
+/// Of any number of samples.
+std::optional<ShardMark> marker_there(const DatasetShape& shape, const fs::path& folder,
+                                      std::uint64_t shard) {
   const ShardPaths paths = shard_paths(folder, shard);
-  const std::uint64_t first = shard * shape.shard_samples;
   std::error_code failed;
   if (!fs::is_regular_file(paths.marker, failed)) return std::nullopt;
   try {
@@ -111,8 +128,7 @@ std::optional<ShardMark> read_mark(const DatasetShape& shape, const fs::path& fo
     mark.bytes = json.at("bytes");
     mark.tar_sha256 = json.at("tar_sha256");
     mark.coco_sha256 = json.at("coco_sha256");
-    if (mark.first != first) return std::nullopt;
-    if (mark.samples != std::min(shape.shard_samples, shape.samples - first)) return std::nullopt;
+    if (mark.first != shard * shape.shard_samples) return std::nullopt;
     mark.sums.samples = mark.samples;
     mark.sums.clean = json.at("clean");
     mark.sums.pixels = json.at("pixels");
@@ -126,19 +142,12 @@ std::optional<ShardMark> read_mark(const DatasetShape& shape, const fs::path& fo
   }
 }
 
-ShardMark write_shard(const DatasetPlan& plan, const fs::path& folder, std::uint64_t shard,
-                      const Context& context) {
-  const ShardPaths paths = shard_paths(folder, shard);
-  make_output_folder("the shards", folder / "shards");
-  if (plan.shape.folders) {
-    make_output_folder("the images", folder / "images");
-    make_output_folder("the masks", folder / "masks");
-  }
-  const std::uint64_t first = shard * plan.shape.shard_samples;
-  const std::uint64_t end = std::min(plan.shape.samples, first + plan.shape.shard_samples);
-  ShardWriter writer(plan, folder, paths, context);
+/// Makes the samples [begin, end).
+void add_samples(ShardWriter& writer, const DatasetPlan& plan, std::uint64_t begin,
+                 std::uint64_t end, const Context& context) {
+  const std::uint64_t first = begin;
   const auto at_once = static_cast<std::uint64_t>(std::max(1, context.threads.count()));
-  for (std::uint64_t begin = first; begin < end; begin += at_once) {
+  for (; begin < end; begin += at_once) {
     context.check();
     const auto reached = static_cast<double>(begin - first);
     context.report({"dataset", reached / static_cast<double>(end - first)});
@@ -148,7 +157,60 @@ ShardMark write_shard(const DatasetPlan& plan, const fs::path& folder, std::uint
     });
     for (std::size_t i = 0; i < samples.size(); ++i) writer.add(samples[i], begin + i);
   }
-  ShardMark mark = writer.finish(paths, first);
+}
+
+}  // namespace
+
+ShardPaths shard_paths(const fs::path& folder, std::uint64_t shard) {
+  const fs::path base = folder / "shards";
+  return {base / fmt::format("{:06}.tar", shard), base / fmt::format("{:06}.coco.json", shard),
+          base / fmt::format("{:06}.json", shard)};
+}
+
+std::optional<ShardMark> read_mark(const DatasetShape& shape, const fs::path& folder,
+                                   std::uint64_t shard) {
+  auto mark = marker_there(shape, folder, shard);
+  if (mark && mark->samples != shape.samples_of(shard)) mark.reset();
+  return mark;
+}
+
+std::optional<ShardMark> read_shorter_mark(const DatasetShape& shape, const fs::path& folder,
+                                           std::uint64_t shard) {
+  auto mark = marker_there(shape, folder, shard);
+  if (mark && mark->samples >= shape.samples_of(shard)) mark.reset();
+  return mark;
+}
+
+std::vector<CocoFile> coco_files(const DatasetShape& shape, const fs::path& folder) {
+  std::vector<CocoFile> files;
+  for (std::uint64_t s = 0; s < shape.shards(); ++s) {
+    const auto mark = read_mark(shape, folder, s);
+    files.push_back({shard_paths(folder, s).coco, mark ? mark->coco_sha256 : ""});
+  }
+  return files;
+}
+
+ShardMark write_shard(const DatasetPlan& plan, const fs::path& folder, std::uint64_t shard,
+                      const Context& context) {
+  const ShardPaths paths = shard_paths(folder, shard);
+  make_output_folder("the shards", folder / "shards");
+  if (plan.shape.folders) {
+    make_output_folder("the images", folder / "images");
+    make_output_folder("the masks", folder / "masks");
+  }
+  const std::uint64_t first = shard * plan.shape.shard_samples;
+  const std::uint64_t count = plan.shape.samples_of(shard);
+  std::optional<ShardWriter> writer;
+  std::uint64_t taken = 0;
+  if (const auto shorter = read_shorter_mark(plan.shape, folder, shard)) {
+    writer.emplace(plan, folder, paths, context);
+    taken = writer->take(paths, *shorter) ? shorter->samples : 0;
+  }
+  if (taken == 0) writer.emplace(plan, folder, paths, context);
+  add_samples(*writer, plan, first + taken, first + count, context);
+  // A larger set may have begun meanwhile, which holds more in this place.
+  if (count < plan.shape.shard_samples) check_claim(folder, plan.source);
+  const ShardMark mark = writer->finish(paths, first);
   context.report({"dataset", 1});
   return mark;
 }

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "craze/context.h"
 #include "craze/job/dataset/sample.h"
+#include "craze/job/dataset/shards/coco.h"
 
 namespace craze {
 
@@ -31,9 +33,18 @@ struct ShardMark {
 std::optional<ShardMark> read_mark(const DatasetShape& shape, const std::filesystem::path& folder,
                                    std::uint64_t shard);
 
+/// The same of a shard that a smaller set ended with: it holds fewer samples than the plan's.
+std::optional<ShardMark> read_shorter_mark(const DatasetShape& shape,
+                                           const std::filesystem::path& folder,
+                                           std::uint64_t shard);
+
+/// The boxes of all shards; what of one that is not whole hashes to is not known.
+std::vector<CocoFile> coco_files(const DatasetShape& shape, const std::filesystem::path& folder);
+
 /// Makes a shard, sample by sample: no more is in memory than one for each of the context's
-/// threads. The marker is written last. Reports "dataset". Each file is whole or not there. Throws
-/// Error and Cancelled.
+/// threads. Samples of a shorter one are copied from there, where they are what its marker says.
+/// The marker is written last. Reports "dataset". Each file is whole or not there. Throws Error and
+/// Cancelled.
 ShardMark write_shard(const DatasetPlan& plan, const std::filesystem::path& folder,
                       std::uint64_t shard, const Context& context);
 

@@ -1,0 +1,23 @@
+#include "growth_note.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "terminal/error_line.h"
+
+namespace craze::app {
+
+void print_growth(const RunOptions& options, const std::optional<Growth>& growth,
+                  const GrowthWords& words) {
+  if (!growth || options.quiet) return;
+  std::string told = fmt::format("{} goes on from {} {} to {}", words.whole, growth->before,
+                                 words.pieces, growth->after);
+  if (growth->piece) {
+    told += fmt::format("; {} {:06}, which has {} of its {}, gets the others", words.file,
+                        *growth->piece, growth->held, growth->wanted);
+  }
+  print_note(options.style, told);
+}
+
+}  // namespace craze::app
