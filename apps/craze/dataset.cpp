@@ -12,6 +12,7 @@
 #include "craze/job/dataset/shards/contact_sheet.h"
 #include "craze/job/dataset/verify_dataset.h"
 #include "craze/job/output_folder.h"
+#include "craze/job/run.h"
 #include "craze/render/png.h"
 #include "growth_note.h"
 #include "run_options.h"
@@ -80,6 +81,7 @@ int remake(const Options& options) {
 }
 
 int look(const Options& options) {
+  if (!options.output.empty()) check_picture_path(options.output);
   const Run run(options.run);
   const std::string path = options.output.empty()
                                ? (std::filesystem::path(options.folder) / "look.png").string()

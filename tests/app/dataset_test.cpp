@@ -184,6 +184,60 @@ TEST_F(Dataset, VerifyFindsWhatIsNotThePlansAndWhatIsNotTheArchives) {
   EXPECT_EQ(run({"dataset", "verify", "set"}).code, 0);
 }
 
+TEST_F(Dataset, WhatIsMissingBesideTheArchivesIsWrittenFromThem) {
+  make("set");
+  const auto whole = bytes_of("set");
+  std::filesystem::remove_all(file("set/masks"));
+  std::filesystem::remove(file("set/images/000000003.png"));
+  EXPECT_EQ(run({"dataset", "verify", "set"}).code, 1);
+  const CommandResult again = run({"dataset", "plan.toml", "-o", "set"});
+  EXPECT_NE(again.out.find("0 made now"), std::string::npos) << again.out;
+  EXPECT_EQ(bytes_of("set"), whole);
+}
+
+TEST_F(Dataset, ThatIsWholeIsNotWrittenAgain) {
+  make("set");
+  std::map<std::string, std::filesystem::file_time_type> times;
+  for (const auto& [name, bytes] : bytes_of("set")) {
+    times[name] = std::filesystem::last_write_time(file("set/" + name));
+  }
+  make("set", {"--shard", "1/18446744073709551615"});
+  for (const auto& [name, time] : times) {
+    EXPECT_EQ(std::filesystem::last_write_time(file("set/" + name)), time) << name;
+  }
+}
+
+TEST_F(Dataset, WhatIsNoSetIsSaidSo) {
+  write("sweep.toml", "object = \"shape:plate?n=8\"\n");
+  ASSERT_EQ(run({"sweep", "sweep.toml", "-o", "table"}).code, 0);
+  std::filesystem::create_directory(file("empty"));
+  const std::pair<const char*, const char*> cases[] = {
+      {"none", "no dataset (none): there is no such folder"},
+      {"empty", "no dataset (empty): it has no made_by.json"},
+      {"table", "no dataset (table): it holds a sweep"},
+      {"plan.toml", "no dataset (plan.toml): there is no such folder"}};
+  for (const auto& [folder, words] : cases) {
+    for (const char* verb : {"verify", "look"}) {
+      const CommandResult result = run({"dataset", verb, folder});
+      EXPECT_EQ(result.code, 1);
+      EXPECT_EQ(result.err, std::string("craze: error: ") + words + "\n");
+    }
+  }
+  make("set");
+  const CommandResult jpeg = run({"dataset", "look", "set", "-o", "sheet.jpg"});
+  EXPECT_EQ(jpeg.code, 2);
+  EXPECT_NE(jpeg.err.find("must end in .png"), std::string::npos) << jpeg.err;
+}
+
+TEST_F(Dataset, ManyShardsThatAreMissingAreOneLine) {
+  make("set", {"--samples", "20000", "--shard", "10000/10000"});
+  const CommandResult result = run({"dataset", "verify", "set"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.out,
+            "shards 000001 to 009999: they are not there, or not whole\n"
+            "remove the archives that are not, and make the set again\n");
+}
+
 TEST_F(Dataset, RoughLinesAreOfTheRecipe) {
   make("rough");
   write("plan.toml",

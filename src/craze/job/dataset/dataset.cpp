@@ -5,45 +5,23 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "craze/base/progress_meter.h"
-#include "craze/base/version.h"
 #include "craze/error.h"
-#include "craze/io/bytes/sha256.h"
-#include "craze/io/files/atomic_file.h"
-#include "craze/io/files/new_file.h"
-#include "craze/io/files/read_file.h"
 #include "craze/io/files/tar.h"
 #include "craze/job/dataset/dataset_growth.h"
-#include "craze/job/dataset/shards/coco.h"
-#include "craze/job/dataset/shards/croissant.h"
+#include "craze/job/dataset/set_summary.h"
 #include "craze/job/dataset/shards/shard_files.h"
 #include "craze/job/load_textures.h"
 #include "craze/job/plan/plan_text.h"
 #include "craze/output/source_file.h"
-#include "craze/recipe/json_table.h"
 #include "craze/recipe/set_key.h"
-#include "craze/recipe/toml_text.h"
 
 namespace craze {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// What joins the shards; none of these is needed to go on.
-void write_summary(const DatasetPlan& plan, const fs::path& folder, const Context& context) {
-  constexpr const char* failure = "cannot write the set's summary";
-  NewFile boxes(folder / "coco.json", failure, context);
-  join_coco(coco_files(plan.shape, folder), context,
-            [&](std::string_view piece) { boxes.append(piece); });
-  boxes.finish();
-  write_file(folder / "croissant.json", croissant_json(plan, folder), failure, context);
-  write_file(folder / "dataset.json", dataset_json(plan, folder), failure, context);
-}
 
 /// Before hours of work: whether the pictures that samples may draw are there.
 void check_textures(const DatasetPlan& plan) {
@@ -100,6 +78,9 @@ DatasetResult make_dataset(const PlanSource& source, const fs::path& folder, Sha
   }
   if (!wanted.empty()) context.report({"dataset", 1});
   for (std::uint64_t s = 0; s < result.shards; ++s) {
+    if (shard.has(s)) restore_beside(plan, folder, s, context);
+  }
+  for (std::uint64_t s = 0; s < result.shards; ++s) {
     if (!read_mark(plan.shape, folder, s)) ++result.shards_left;
   }
   check_claim(folder, source);
@@ -108,7 +89,7 @@ DatasetResult make_dataset(const PlanSource& source, const fs::path& folder, Sha
 }
 
 RemadeSample remake_sample(const fs::path& folder, const std::string& id, const Context& context) {
-  const DatasetPlan plan(plan_of_folder(folder));
+  const DatasetPlan plan(plan_of_folder(folder, "dataset"));
   std::uint64_t index = 0;
   const auto read = std::from_chars(id.data(), id.data() + id.size(), index);
   if (read.ec != std::errc() || read.ptr != id.data() + id.size() || index >= plan.shape.samples) {
@@ -127,38 +108,6 @@ RemadeSample remake_sample(const fs::path& folder, const std::string& id, const 
     if (held[file.kind] != file.bytes) remade.differing.push_back(file.kind);
   }
   return remade;
-}
-
-std::string dataset_json(const DatasetPlan& plan, const fs::path& folder) {
-  SampleSums sums;
-  std::uint64_t bytes = 0;
-  for (std::uint64_t s = 0; s < plan.shape.shards(); ++s) {
-    const auto mark = read_mark(plan.shape, folder, s);
-    if (!mark) continue;
-    sums += mark->sums;
-    bytes += mark->bytes;
-  }
-  const double pixels = std::max(1.0, static_cast<double>(sums.pixels));
-  const double of_all = static_cast<double>(sums.crack_pixels) / pixels;
-  const double cracked =
-      sums.samples > sums.clean
-          ? static_cast<double>(sums.samples) / static_cast<double>(sums.samples - sums.clean)
-          : 0;
-  return Json{{"samples", sums.samples},
-              {"clean", sums.clean},
-              {"width", plan.shape.width},
-              {"height", plan.shape.height},
-              {"shards", plan.shape.shards()},
-              {"bytes", bytes},
-              {"version", version()},
-              {"plan_sha256", plan.sha256},
-              {"crack_share", of_all},
-              {"crack_share_of_cracked", of_all * cracked},
-              {"median_width_pixels", sums.median_width()},
-              {"width_histogram",
-               {{"bin_pixels", SampleSums::bin}, {"length_pixels", sums.length_by_width}}}}
-             .dump(2) +
-         "\n";
 }
 
 }  // namespace craze

@@ -42,7 +42,4 @@ struct RemadeSample {
 RemadeSample remake_sample(const std::filesystem::path& folder, const std::string& id,
                            const Context& context);
 
-/// The set's statistics as JSON: what dataset.json holds. Of the shards that are there.
-std::string dataset_json(const DatasetPlan& plan, const std::filesystem::path& folder);
-
 }  // namespace craze

@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "craze/error.h"
 #include "craze/io/bytes/sha256.h"
+#include "craze/io/files/hash_file.h"
 #include "craze/io/files/tar.h"
-#include "craze/job/dataset/dataset.h"
-#include "craze/job/dataset/shards/coco.h"
-#include "craze/job/dataset/shards/croissant.h"
+#include "craze/job/dataset/set_summary.h"
 #include "craze/job/dataset/shards/shard_files.h"
 
 namespace craze {
@@ -23,16 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string sha256_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string part(std::size_t{1} << 20, '\0');
-  Sha256 hash;
-  while (file.read(part.data(), static_cast<std::streamsize>(part.size())), file.gcount() > 0) {
-    hash.add(std::string_view(part).substr(0, static_cast<std::size_t>(file.gcount())));
-  }
-  return hash.hex();
-}
-
 /// Checks an archive against its marker and what that says of it, each sample against its own JSON
 /// and the plan, and the files that lie beside the archives against what is in them.
 class ShardCheck {
@@ -42,8 +30,10 @@ class ShardCheck {
       : plan_(plan), folder_(folder), name_(std::move(name)), faults_(faults) {}
 
   void run(const ShardPaths& paths, const ShardMark& mark) {
-    if (sha256_of(paths.tar) != mark.tar_sha256) fault("its archive is not what its marker says");
-    if (sha256_of(paths.coco) != mark.coco_sha256) fault("its boxes are not what its marker says");
+    if (sha256_of_file(paths.tar) != mark.tar_sha256)
+      fault("its archive is not what its marker says");
+    if (sha256_of_file(paths.coco) != mark.coco_sha256)
+      fault("its boxes are not what its marker says");
     try {
       check_samples(paths, mark);
     } catch (const Error& e) {
@@ -96,7 +86,7 @@ class ShardCheck {
     const bool image = kind == "image.png";
     if (!plan_.shape.folders || (!image && kind != "mask.png")) return;
     const fs::path file = fs::path(image ? "images" : "masks") / (id + ".png");
-    if (sha256_of(folder_ / file) != hash) {
+    if (sha256_of_file(folder_ / file) != hash) {
       fault(file.string() + " is not what its archive has");
     }
   }
@@ -107,33 +97,29 @@ class ShardCheck {
   std::vector<std::string>& faults_;
 };
 
-/// Of a shard whose marker is not the plan's.
-std::string what_is_there(const DatasetPlan& plan, const fs::path& folder, std::uint64_t shard) {
-  const auto shorter = read_shorter_mark(plan.shape, folder, shard);
-  if (!shorter) return "it is not there, or not whole";
-  return fmt::format("it holds {} of its {} samples; make the set again to go on", shorter->samples,
-                     plan.shape.samples_of(shard));
-}
+/// Shards that are not there or not whole; those that follow each other are one fault.
+class MissingShards {
+ public:
+  explicit MissingShards(std::vector<std::string>& faults) : faults_(faults) {}
 
-/// The files of all shards together: each must be what is written of those that are there.
-void check_summary(const DatasetPlan& plan, const fs::path& folder, const Context& context,
-                   std::vector<std::string>& faults) {
-  Sha256 boxes;
-  join_coco(coco_files(plan.shape, folder), context, [&](std::string_view p) { boxes.add(p); });
-  const std::pair<const char*, std::string> files[] = {
-      {"coco.json", boxes.hex()},
-      {"croissant.json", sha256(croissant_json(plan, folder))},
-      {"dataset.json", sha256(dataset_json(plan, folder))}};
-  for (const auto& file : files) {
-    const std::string name = file.first;
-    std::error_code failed;
-    if (!fs::is_regular_file(folder / name, failed)) {
-      faults.push_back(name + " is not there; make the set again to write it");
-    } else if (sha256_of(folder / name) != file.second) {
-      faults.push_back(name + " is not that of these shards; make the set again to write it");
-    }
+  void add(std::uint64_t shard) {
+    if (count_ == 0) first_ = shard;
+    ++count_;
   }
-}
+  void tell() {
+    if (count_ == 1) {
+      faults_.push_back(fmt::format("shard {:06}: it is not there, or not whole", first_));
+    } else if (count_ > 1) {
+      faults_.push_back(fmt::format("shards {:06} to {:06}: they are not there, or not whole",
+                                    first_, first_ + count_ - 1));
+    }
+    count_ = 0;
+  }
+
+ private:
+  std::vector<std::string>& faults_;
+  std::uint64_t first_ = 0, count_ = 0;
+};
 
 /// Names that begin with a number of `limit` or more, which a smaller plan does not have.
 void check_beyond(const fs::path& folder, std::uint64_t limit, const std::string& what,
@@ -158,26 +144,36 @@ void check_beyond(const fs::path& folder, std::uint64_t limit, const std::string
 }  // namespace
 
 std::vector<std::string> verify_dataset(const fs::path& folder, const Context& context) {
-  const DatasetPlan plan(plan_of_folder(folder));
+  const DatasetPlan plan(plan_of_folder(folder, "dataset"));
   std::vector<std::string> faults;
+  MissingShards missing(faults);
   for (std::uint64_t s = 0; s < plan.shape.shards(); ++s) {
     context.check();
     context.report({"verify", static_cast<double>(s) / static_cast<double>(plan.shape.shards())});
-    const ShardPaths paths = shard_paths(folder, s);
     const auto mark = read_mark(plan.shape, folder, s);
-    const std::string name = paths.marker.stem().string();
-    if (!mark) {
-      faults.push_back("shard " + name + ": " + what_is_there(plan, folder, s));
+    const auto shorter = mark ? std::nullopt : read_shorter_mark(plan.shape, folder, s);
+    if (!mark && !shorter) {
+      missing.add(s);
+      continue;
+    }
+    missing.tell();
+    if (mark) {
+      ShardCheck(plan, folder, fmt::format("{:06}", s), faults).run(shard_paths(folder, s), *mark);
     } else {
-      ShardCheck(plan, folder, name, faults).run(paths, *mark);
+      faults.push_back(fmt::format("shard {:06}: it holds {} of its {} samples", s,
+                                   shorter->samples, plan.shape.samples_of(s)));
     }
   }
+  missing.tell();
   context.report({"verify", 1});
   check_beyond(folder / "shards", plan.shape.shards(), "shards", faults);
   for (const char* beside : {"images", "masks"}) {
     check_beyond(folder / beside, plan.shape.samples, "samples", faults);
   }
-  if (faults.empty()) check_summary(plan, folder, context, faults);
+  if (!faults.empty()) return faults;
+  for (const std::string& name : stale_summaries(plan, folder, context)) {
+    faults.push_back(name + " is not that of these shards; make the set again to write it");
+  }
   return faults;
 }
 

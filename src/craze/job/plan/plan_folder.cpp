@@ -87,8 +87,16 @@ void check_claim(const fs::path& folder, const PlanSource& source) {
               "another run has changed it; start again with the plan that is to be");
 }
 
-PlanSource plan_of_folder(const fs::path& folder) {
+PlanSource plan_of_folder(const fs::path& folder, const std::string& kind) {
+  const auto fail = [&](const std::string& why) {
+    throw Error(ErrorKind::input, "no " + kind, folder.string(), why);
+  };
+  std::error_code failed;
+  if (!fs::is_directory(folder, failed)) fail("there is no such folder");
+  if (!fs::exists(folder / origin_file, failed)) fail(std::string("it has no ") + origin_file);
   const nlohmann::ordered_json origin = origin_of(folder);
+  const std::string there = origin.value("kind", kind);
+  if (there != kind) fail("it holds a " + there);
   return {read_file(folder / plan_file, "cannot read the plan"), (folder / plan_file).string(),
           origin.value("plan_folder", std::string("."))};
 }

@@ -38,7 +38,7 @@ void claim_plan_folder(const std::filesystem::path& folder, const PlanSource& so
 /// claimed it meanwhile.
 void check_claim(const std::filesystem::path& folder, const PlanSource& source);
 
-/// The plan that a folder was made by. Throws Error(input) where it is no such folder.
-PlanSource plan_of_folder(const std::filesystem::path& folder);
+/// The plan that a folder was made by. Throws Error(input) where it holds nothing of that kind.
+PlanSource plan_of_folder(const std::filesystem::path& folder, const std::string& kind);
 
 }  // namespace craze

@@ -123,7 +123,7 @@ void add_sample(Sheet& sheet, const Files& files, const std::filesystem::path& a
 
 render::Image contact_sheet(const std::filesystem::path& folder, const SheetOptions& options,
                             const Context& context) {
-  const DatasetPlan plan(plan_of_folder(folder));
+  const DatasetPlan plan(plan_of_folder(folder, "dataset"));
   const auto shards = whole_shards(plan, folder);
   std::uint64_t there = 0;
   for (const auto& [paths, count] : shards) there += count;

@@ -40,6 +40,21 @@ std::string mark_text(const ShardMark& mark) {
   return json.dump(1) + "\n";
 }
 
+/// The file of a sample beside the archives, of those kinds that have one.
+std::optional<fs::path> path_beside(const DatasetShape& shape, const fs::path& folder,
+                                    const std::string& id, const std::string& kind) {
+  const bool image = kind == "image.png";
+  if (!shape.folders || (!image && kind != "mask.png")) return std::nullopt;
+  return folder / (image ? "images" : "masks") / (id + ".png");
+}
+
+void make_folders(const DatasetPlan& plan, const fs::path& folder) {
+  make_output_folder("the shards", folder / "shards");
+  if (!plan.shape.folders) return;
+  make_output_folder("the images", folder / "images");
+  make_output_folder("the masks", folder / "masks");
+}
+
 /// What a shard is written to while it grows.
 class ShardWriter {
  public:
@@ -50,10 +65,9 @@ class ShardWriter {
   void add(const Sample& sample, std::uint64_t index) {
     for (const SampleFile& file : sample.files) {
       append(tar_entry(sample.id + "." + file.kind, file.bytes));
-      const bool image = file.kind == "image.png";
-      if (!plan_.shape.folders || (!image && file.kind != "mask.png")) continue;
-      write_file(folder_ / (image ? "images" : "masks") / (sample.id + ".png"), file.bytes, failure,
-                 context_);
+      if (const auto path = path_beside(plan_.shape, folder_, sample.id, file.kind)) {
+        write_file(*path, file.bytes, failure, context_);
+      }
     }
     coco_.add(sample, index, plan_.shape.width, plan_.shape.height);
     mark_.sums += sample.sums;
@@ -193,11 +207,7 @@ std::vector<CocoFile> coco_files(const DatasetShape& shape, const fs::path& fold
 ShardMark write_shard(const DatasetPlan& plan, const fs::path& folder, std::uint64_t shard,
                       const Context& context) {
   const ShardPaths paths = shard_paths(folder, shard);
-  make_output_folder("the shards", folder / "shards");
-  if (plan.shape.folders) {
-    make_output_folder("the images", folder / "images");
-    make_output_folder("the masks", folder / "masks");
-  }
+  make_folders(plan, folder);
   const std::uint64_t first = shard * plan.shape.shard_samples;
   const std::uint64_t count = plan.shape.samples_of(shard);
   std::optional<ShardWriter> writer;
@@ -213,6 +223,29 @@ ShardMark write_shard(const DatasetPlan& plan, const fs::path& folder, std::uint
   const ShardMark mark = writer->finish(paths, first);
   context.report({"dataset", 1});
   return mark;
+}
+
+void restore_beside(const DatasetPlan& plan, const fs::path& folder, std::uint64_t shard,
+                    const Context& context) {
+  if (!plan.shape.folders || !read_mark(plan.shape, folder, shard)) return;
+  const std::uint64_t first = shard * plan.shape.shard_samples;
+  bool all_there = true;
+  for (std::uint64_t i = first; i < first + plan.shape.samples_of(shard); ++i) {
+    for (const char* kind : {"image.png", "mask.png"}) {
+      all_there = all_there && fs::exists(*path_beside(plan.shape, folder, sample_id(i), kind));
+    }
+  }
+  if (all_there) return;
+  make_folders(plan, folder);
+  TarReader tar(shard_paths(folder, shard).tar);
+  std::string name, bytes;
+  while (tar.next(name, bytes)) {
+    context.check();
+    const std::size_t dot = name.find('.');
+    const auto path = path_beside(plan.shape, folder, name.substr(0, dot),
+                                  name.substr(std::min(dot, name.size() - 1) + 1));
+    if (path && !fs::exists(*path)) write_file(*path, bytes, failure, context);
+  }
 }
 
 }  // namespace craze

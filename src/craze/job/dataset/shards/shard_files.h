@@ -48,4 +48,9 @@ std::vector<CocoFile> coco_files(const DatasetShape& shape, const std::filesyste
 ShardMark write_shard(const DatasetPlan& plan, const std::filesystem::path& folder,
                       std::uint64_t shard, const Context& context);
 
+/// Writes what is missing of a shard in images/ and masks/, from its archive; nothing where the
+/// plan has none, or the shard is not whole. Throws as write_shard, and Error(input).
+void restore_beside(const DatasetPlan& plan, const std::filesystem::path& folder,
+                    std::uint64_t shard, const Context& context);
+
 }  // namespace craze
