@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -133,6 +135,23 @@ TEST_F(Dataset, HostilePlansAreRefusedInOneLine) {
   EXPECT_EQ(none.code, 1);
   EXPECT_NE(none.err.find("none.obj"), std::string::npos) << none.err;
   EXPECT_FALSE(std::filesystem::exists(file("none")));
+}
+
+TEST_F(Dataset, OfAFolderOfMeshesOnlyThoseAreTaken) {
+  std::string text = small_plan;
+  write("plan.toml", text.replace(text.find("shape:plate?n=14&jitter=0.3"), 27, "scans"));
+  std::filesystem::create_directories(file("scans/folder.obj"));
+  write("scans/read_me.txt", "none of them");
+  ASSERT_EQ(mkfifo(file("scans/pipe.obj").c_str(), 0644), 0);
+  const CommandResult none = run({"dataset", "plan.toml", "-o", "set"});
+  EXPECT_EQ(none.code, 1);
+  EXPECT_NE(none.err.find("no meshes in the folder"), std::string::npos) << none.err;
+  EXPECT_FALSE(std::filesystem::exists(file("set")));
+  ASSERT_EQ(run({"crack", "shape:plate?n=14&jitter=0.3", "--set", "evolution.max_cracks=0", "-o",
+                 "scans/plate.obj"})
+                .code,
+            0);
+  make("set");
 }
 
 TEST_F(Dataset, DamagedFoldersAreRefusedInOneLine) {

@@ -10,6 +10,7 @@
 #include "craze/error.h"
 #include "craze/io/files/tar.h"
 #include "craze/job/dataset/dataset_growth.h"
+#include "craze/job/dataset/scene/mesh_folder.h"
 #include "craze/job/dataset/set_summary.h"
 #include "craze/job/dataset/shards/shard_files.h"
 #include "craze/job/load_textures.h"
@@ -43,10 +44,14 @@ void check_objects(const DatasetPlan& plan) {
     if (entry.key != "object.mesh") continue;
     for (const PlanValue& value : extremes(entry.distribution)) {
       const std::string name = plan_text(value);
+      if (is_shape(name)) continue;
+      const fs::path path = plan.source.folder / name;
       std::error_code failed;
-      if (is_shape(name) || fs::exists(plan.source.folder / name, failed)) continue;
-      throw Error(ErrorKind::input, "no mesh " + (plan.source.folder / name).string(), entry.where,
-                  "give a file, a folder or shape:NAME");
+      if (!fs::exists(path, failed)) {
+        throw Error(ErrorKind::input, "no mesh " + path.string(), entry.where,
+                    "give a file, a folder or shape:NAME");
+      }
+      if (fs::is_directory(path, failed)) meshes_in(path);
     }
   }
 }

@@ -10,8 +10,8 @@ namespace craze {
 
 /// Calls work(i, c) for each i in [0, n), side by side, with one thread each; a single one has all
 /// the threads of `context`. c tells of no progress. It is cancelled where `context` is, which is
-/// asked by the work in the caller's thread alone, as Context says; the others hear of it from
-/// there, so that nothing waits for them where all take about as long. Throws what work throws.
+/// asked in the caller's thread alone, as Context says, by the work there and while it waits for
+/// the others, which hear of it from there. Throws what the first work that fails throws.
 void side_by_side(std::size_t n, const Context& context,
                   const std::function<void(std::size_t, const Context&)>& work);
 

@@ -10,8 +10,8 @@
 #include "craze/base/elementary.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/error.h"
-#include "craze/io/files/extension.h"
 #include "craze/job/dataset/marks/distractors.h"
+#include "craze/job/dataset/scene/mesh_folder.h"
 #include "craze/job/dataset/scene/surface_look.h"
 #include "craze/job/load_surface.h"
 #include "craze/job/load_textures.h"
@@ -28,24 +28,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The mesh that a name stands for: of a folder one of its meshes, in the order of their names.
+/// The mesh that a name stands for: of a folder one of its meshes.
 std::string pick_object(const std::string& name, const std::string& folder, Random& random) {
   if (is_shape(name)) return name;
   const fs::path path = fs::path(folder) / name;
   std::error_code failed;
   if (!fs::is_directory(path, failed)) return path.string();
-  std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(path, failed)) {
-    const std::string kind = lower_extension(entry.path());
-    for (const char* known : {".obj", ".ply", ".stl", ".off", ".gltf", ".glb"}) {
-      if (kind == known) files.push_back(entry.path().string());
-    }
-  }
-  if (files.empty()) {
-    throw Error(ErrorKind::input, "no meshes in the folder", path.string(),
-                "put .obj .ply .stl .off .gltf or .glb files there");
-  }
-  std::sort(files.begin(), files.end());
+  const std::vector<std::string> files = meshes_in(path);
   return files[random.below(files.size())];
 }
 
