@@ -14,13 +14,18 @@ using Json = nlohmann::json;
 
 constexpr int deepest = 16;
 
-[[noreturn]] void fail(const std::string& name, const std::string& why) {
-  throw Error(ErrorKind::usage, "not a JSON recipe", name, why);
+/// A text, and what it should be.
+struct Named {
+  const std::string &name, &what;
+};
+
+[[noreturn]] void fail(const Named& text, const std::string& why) {
+  throw Error(ErrorKind::usage, "not a JSON " + text.what, text.name, why);
 }
 
 class Converter {
  public:
-  explicit Converter(const std::string& name) : name_(name) {}
+  explicit Converter(const Named& text) : text_(text) {}
 
   toml::table table(const Json& object, int depth) const {
     check_depth(depth);
@@ -65,15 +70,15 @@ class Converter {
       case Json::value_t::number_float:
         return put(value.get<double>());
       default:
-        fail(name_, key + " has no value");
+        fail(text_, key + " has no value");
     }
   }
 
   void check_depth(int depth) const {
-    if (depth > deepest) fail(name_, "nested too deep");
+    if (depth > deepest) fail(text_, "nested too deep");
   }
 
-  const std::string& name_;
+  const Named& text_;
 };
 
 /// Refuses what is nested too deep before anything is built of it.
@@ -88,13 +93,15 @@ bool is_json(std::string_view text) {
   return first != std::string_view::npos && text[first] == '{';
 }
 
-toml::table read_json_table(std::string_view text, const std::string& name) {
+toml::table read_json_table(std::string_view text, const std::string& name,
+                            const std::string& what) {
+  const Named named{name, what};
   try {
     const Json json = Json::parse(text, is_flat_enough);
-    if (!json.is_object()) fail(name, "nested too deep");
-    return Converter(name).table(json, 0);
+    if (!json.is_object()) fail(named, "nested too deep");
+    return Converter(named).table(json, 0);
   } catch (const Json::parse_error& e) {
-    fail(name, "what is at byte " + std::to_string(e.byte) + " is not JSON");
+    fail(named, "what is at byte " + std::to_string(e.byte) + " is not JSON");
   }
 }
 

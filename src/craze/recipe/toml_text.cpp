@@ -105,7 +105,7 @@ toml::table parse_toml(std::string_view text, const std::string& name, const std
     throw Error(ErrorKind::usage, "not a " + what, name,
                 fmt::format("larger than {} bytes", toml_size_limit));
   }
-  if (is_json(text)) return read_json_table(text, name);
+  if (is_json(text)) return read_json_table(text, name, what);
   check_toml_nesting(text, name, what);
   if (const std::optional<TomlFault> fault = find_toml_fault(text)) {
     const std::string_view before = text.substr(0, fault->at);

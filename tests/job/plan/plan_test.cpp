@@ -192,6 +192,7 @@ TEST(Plan, HostilePlansAreRefusedInOneLineWithThePlace) {
       {"camera = 1", "unknown key camera"},
       {"camera = {}", "unknown key camera"},
       {"zoom = ", "not a TOML plan (p.toml:1:"},
+      {"{\"camera\": ", "not a JSON plan (p.toml): what is at byte"},
       {"camera.zoom = 11", "must be in [0.1, 10]"},
       {"camera.zoom = {uniform = [1, 11]}", "must be in [0.1, 10]"},
       {"camera.zoom = {uniform = [2, 1]}", "the smaller number first"},
