@@ -32,7 +32,7 @@ struct Options {
 int make(const Options& options) {
   if (options.keys) return print(plan_reference(dataset_schema()));
   const Shard shard = parse_shard(options.shard);
-  PlanSource source = read_plan_file(options.plan);
+  PlanSource source = read_plan_for(options.output, options.plan, "dataset");
   if (options.samples > 0) source = with_samples(source, options.samples);
   print_growth(options.run, dataset_growth(source, options.output),
                {"the set", "samples", "shard"});

@@ -23,7 +23,7 @@ struct Options {
 int sweep(const Options& options) {
   if (options.keys) return print(plan_reference(sweep_schema()));
   const Shard shard = parse_shard(options.shard);
-  const PlanSource source = read_plan_file(options.plan);
+  const PlanSource source = read_plan_for(options.folder, options.plan, "sweep");
   print_growth(options.run, sweep_growth(source, options.folder), {"the table", "rows", "part"});
   const Run run(options.run);
   const SweepResult made = run_sweep(source, options.folder, shard, run.context());

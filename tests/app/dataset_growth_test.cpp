@@ -131,6 +131,36 @@ TEST_F(DatasetGrowth, SamplesThatAreThereAreNotMadeAgain) {
   EXPECT_TRUE(is_whole("set"));
 }
 
+TEST_F(DatasetGrowth, TheFolderAloneIsEnough) {
+  std::string text = read_text(file("plan.toml"));
+  write("plan.toml", text.replace(text.find("shape:plate?n=14&jitter=0.3"), 27, "plate.obj"));
+  ASSERT_EQ(run({"crack", "shape:plate?n=14&jitter=0.3", "--set", "evolution.max_cracks=0", "-o",
+                 "plate.obj"})
+                .code,
+            0);
+  make("at_once", {"--samples", "11"});
+  make("set");
+  std::filesystem::remove(file("plan.toml"));
+  const CommandResult grown = run({"dataset", "set/plan.toml", "-o", "set", "--samples", "11"});
+  EXPECT_EQ(grown.code, 0) << grown.err;
+  EXPECT_EQ(bytes_of("set"), bytes_of("at_once"));
+}
+
+TEST_F(DatasetGrowth, ADiskThatIsFullLeavesWhatThereWas) {
+  make("at_once", {"--samples", "6"});
+  make("set");
+  const auto size = std::filesystem::file_size(file("set/shards/000002.tar"));
+  const std::string call =
+      "cd '" + file("").string() + "' && ulimit -f " + std::to_string(size / 512 + 20) +
+      " && '" CRAZE_COMMAND "' dataset plan.toml -o set --samples 6 --quiet 2>full.err";
+  EXPECT_NE(std::system(call.c_str()), 0);
+  EXPECT_NE(read_text(file("full.err")).find("cannot write"), std::string::npos);
+  EXPECT_EQ(std::filesystem::file_size(file("set/shards/000002.tar")), size);
+  EXPECT_FALSE(is_whole("set"));
+  make("set", {"--samples", "6"});
+  EXPECT_EQ(bytes_of("set"), bytes_of("at_once"));
+}
+
 TEST_F(DatasetGrowth, ASmallerNumberIsRefusedAndNothingIsLost) {
   make("set", {"--samples", "11"});
   const Bytes before = bytes_of("set");

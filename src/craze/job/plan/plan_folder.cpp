@@ -101,4 +101,10 @@ PlanSource plan_of_folder(const fs::path& folder, const std::string& kind) {
           origin.value("plan_folder", std::string("."))};
 }
 
+PlanSource read_plan_for(const fs::path& folder, const fs::path& path, const std::string& kind) {
+  std::error_code failed;
+  const bool own = fs::equivalent(path, folder / plan_file, failed) && !failed;
+  return own ? plan_of_folder(folder, kind) : read_plan_file(path);
+}
+
 }  // namespace craze

@@ -21,6 +21,12 @@ struct PlanSource {
 /// A plan's file. Throws Error(input) where it cannot be read.
 PlanSource read_plan_file(const std::filesystem::path& path);
 
+/// The plan that is to fill a folder, or go on with it. The folder's own plan.toml is seen from
+/// where it first lay, so that the folder alone is enough. Throws Error(input), also for a folder
+/// that holds something else than that kind.
+PlanSource read_plan_for(const std::filesystem::path& folder, const std::filesystem::path& path,
+                         const std::string& kind);
+
 /// The plan's file of a folder, where there is one.
 std::optional<PlanSource> plan_there(const std::filesystem::path& folder);
 
