@@ -40,7 +40,8 @@ void add_nearest_crack(SurfaceMesh& surface, const CrackedSurface& state,
         growth_times.schedule.sides[static_cast<std::size_t>(side - sides.begin())];
     return from + nearest_on_segment(p, seen.a, seen.b) * (to - from);
   };
-  carry_cracks(mesh, sides, far, context, [&](std::int32_t f, const NearbyCrack& seen) {
+  // A vertex is of one part of the mesh.
+  carry_cracks(mesh, sides, far, context, [&](int, std::int32_t f, const NearbyCrack& seen) {
     const double t = times[mesh.crack_of(seen.halfedge)];
     for (const std::int32_t v : mesh.triangle(f)) {
       const Vec3& p = mesh.position(v);

@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <queue>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "craze/base/number_set.h"
-#include "craze/context.h"
 #include "craze/mesh/triangle_mesh.h"
 
 namespace craze {
@@ -32,22 +31,18 @@ class FaceSpread {
  public:
   using Carried = typename Rules::Carried;
 
-  /// Both must outlive this.
-  FaceSpread(const TriangleMesh& mesh, Rules& rules)
-      : mesh_(mesh),
-        rules_(rules),
-        covered_(mesh.face_count(), std::numeric_limits<double>::infinity()) {}
+  /// All must outlive this. `covered`, #F: no point of a face is farther from a thing that it has
+  /// taken; ∞ at first. Of that, and in accept(), only faces that things reach are touched.
+  FaceSpread(const TriangleMesh& mesh, Rules& rules, std::vector<double>& covered)
+      : mesh_(mesh), rules_(rules), covered_(covered) {}
 
   void start(std::int32_t face, const Carried& thing) { send(0, face, {thing, -1}); }
 
-  /// Until nothing is on its way any more. No face that accepted something may be reached again.
-  /// Reports `phase`. Throws Cancelled.
-  void run(const char* phase, const Context& context) {
-    for (std::int64_t n = 0; !queue_.empty(); ++n) {
-      if (n % visits_between_polls == 0) {
-        context.check();
-        context.report({phase});
-      }
+  /// Until nothing is on its way any more, or so many have arrived, from which `left` is taken.
+  /// Returns whether nothing is. Then no face that accepted something may be reached again.
+  bool run(std::int64_t& left) {
+    for (; !queue_.empty(); --left) {
+      if (left == 0) return false;
       const Arrival arrival = queue_.top();
       queue_.pop();
       const Traveller traveller = pool_[arrival.slot];
@@ -55,14 +50,10 @@ class FaceSpread {
       if (takes(arrival.face, arrival.distance, traveller.thing)) accept(arrival, traveller);
     }
     accepted_ = NumberSet();
+    return true;
   }
 
-  /// Per face: no point of it is farther from a thing; ∞: none is there.
-  std::vector<double> take_covered() { return std::move(covered_); }
-
  private:
-  static constexpr std::int64_t visits_between_polls = 1 << 14;
-
   struct Traveller {
     Carried thing;       ///< as seen from the face
     std::int32_t entry;  ///< halfedge of the face it came in by; −1 at its own
@@ -124,7 +115,7 @@ class FaceSpread {
   std::vector<std::int32_t> free_;  // slots of the pool
   std::int64_t sent_ = 0;
   NumberSet accepted_;  // by face and thing
-  std::vector<double> covered_;
+  std::vector<double>& covered_;
   std::priority_queue<Arrival, std::vector<Arrival>, Later> queue_;
 };
 
@@ -138,17 +129,24 @@ struct AcceptedByFaces {
     faces.push_back(face);
     things.push_back(thing);
   }
-
-  /// Sorts by face into `sorted`; those of one face stay in order. `first`: #F + 1 offsets.
-  void sort(std::size_t face_count, std::vector<std::int32_t>& first,
-            std::vector<Thing>& sorted) const {
-    first.assign(face_count + 1, 0);
-    for (const std::int32_t f : faces) ++first[f + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::int32_t> next(first.begin(), first.end() - 1);
-    sorted.resize(things.size());
-    for (std::size_t i = 0; i < things.size(); ++i) sorted[next[faces[i]]++] = things[i];
-  }
 };
+
+/// Sorts by face into `sorted`; those of one face, which all are in one list, stay in order.
+/// `first`: #F + 1 offsets.
+template <class Thing>
+void sort_by_face(std::span<const AcceptedByFaces<Thing>> lists, std::int32_t face_count,
+                  std::vector<std::int32_t>& first, std::vector<Thing>& sorted) {
+  first.assign(static_cast<std::size_t>(face_count) + 1, 0);
+  for (const AcceptedByFaces<Thing>& list : lists) {
+    for (const std::int32_t f : list.faces) ++first[f + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::int32_t> next(first.begin(), first.end() - 1);
+  sorted.resize(first.back());
+  for (const AcceptedByFaces<Thing>& list : lists) {
+    for (std::size_t i = 0; i < list.things.size(); ++i)
+      sorted[next[list.faces[i]]++] = list.things[i];
+  }
+}
 
 }  // namespace craze

@@ -1,7 +1,11 @@
 #include "craze/products/distance/nearby_cracks.h"
 
 #include <algorithm>
+#include <atomic>
+#include <deque>
+#include <limits>
 
+#include "craze/base/parallel.h"
 #include "craze/base/segment_distance.h"
 #include "craze/mesh/components.h"
 #include "craze/products/distance/face_spread.h"
@@ -9,6 +13,9 @@
 namespace craze {
 
 namespace {
+
+// Of each worker, between two looks at the context: some milliseconds.
+constexpr std::int64_t visits_between_polls = 1 << 13;
 
 /// Unit vector in the plane of the face of h, perpendicular to h and pointing into the face.
 Vec3 into_face(const TriangleMesh& mesh, std::int32_t h, const Vec3& along) {
@@ -23,8 +30,8 @@ class Propagation {
  public:
   using Carried = NearbyCrack;
 
-  Propagation(const TriangleMesh& mesh, double max_distance, const CrackVisit& visit)
-      : mesh_(mesh), max_distance_(max_distance), visit_(visit) {}
+  Propagation(const TriangleMesh& mesh, double max_distance, const CrackVisit& visit, int worker)
+      : mesh_(mesh), max_distance_(max_distance), visit_(visit), worker_(worker) {}
 
   NearbyCrack source(std::int32_t h) const {
     return {mesh_.position(mesh_.from(h)), mesh_.position(mesh_.to(h)), h};
@@ -61,12 +68,59 @@ class Propagation {
     return {unfold(crack.a), unfold(crack.b), crack.halfedge};
   }
 
-  void accept(std::int32_t face, const NearbyCrack& crack) { visit_(face, crack); }
+  void accept(std::int32_t face, const NearbyCrack& crack) { visit_(worker_, face, crack); }
 
  private:
   const TriangleMesh& mesh_;
   double max_distance_;
   const CrackVisit& visit_;
+  int worker_;
+};
+
+/// The sides of cracks, those of one part of the mesh together: part p has [first[p], first[p+1]).
+struct SidesByPart {
+  std::vector<std::int32_t> sides;
+  std::vector<std::size_t> first;
+
+  std::size_t count() const { return first.size() - 1; }
+};
+
+SidesByPart by_part(const TriangleMesh& mesh, const std::vector<std::int32_t>& sides) {
+  const std::vector<std::int32_t> part = find_components(mesh).face;
+  SidesByPart result{sides, {}};
+  std::stable_sort(result.sides.begin(), result.sides.end(),
+                   [&](std::int32_t g, std::int32_t h) { return part[g / 3] < part[h / 3]; });
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i == 0 || part[result.sides[i] / 3] != part[result.sides[i - 1] / 3])
+      result.first.push_back(i);
+  }
+  result.first.push_back(sides.size());
+  return result;
+}
+
+/// Carries cracks over one part of the mesh after the other, each in a stretch of memory that the
+/// caches hold.
+class Worker {
+ public:
+  Worker(const TriangleMesh& mesh, const Propagation& propagation, std::vector<double>& covered)
+      : propagation_(propagation), spread_(mesh, propagation_, covered) {}
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  /// So many visits; parts are taken from `next` on. Returns whether none is left.
+  bool work(const SidesByPart& parts, std::atomic<std::size_t>& next, std::int64_t visits) {
+    while (spread_.run(visits)) {
+      const std::size_t part = next++;
+      if (part >= parts.count()) return true;
+      for (std::size_t i = parts.first[part]; i < parts.first[part + 1]; ++i)
+        spread_.start(parts.sides[i] / 3, propagation_.source(parts.sides[i]));
+    }
+    return false;
+  }
+
+ private:
+  Propagation propagation_;
+  FaceSpread<Propagation> spread_;
 };
 
 }  // namespace
@@ -82,31 +136,36 @@ std::vector<std::int32_t> crack_sides(const TriangleMesh& mesh) {
 void carry_cracks(const TriangleMesh& mesh, const std::vector<std::int32_t>& sides,
                   double max_distance, const Context& context, const CrackVisit& visit) {
   if (sides.empty()) return;
-  // Cracks stay in their part of the mesh, so one part after the other, each in a stretch of memory
-  // that the caches hold, comes to the same.
-  const Components parts = find_components(mesh);
-  std::vector<std::int32_t> order = sides;
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t g, std::int32_t h) {
-    return parts.face[g / 3] < parts.face[h / 3];
-  });
-  Propagation propagation(mesh, max_distance, visit);
-  FaceSpread spread(mesh, propagation);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    spread.start(order[i] / 3, propagation.source(order[i]));
-    const bool last = i + 1 == order.size();
-    if (last || parts.face[order[i] / 3] != parts.face[order[i + 1] / 3])
-      spread.run("distance", context);
-  }
+  const SidesByPart parts = by_part(mesh, sides);
+  std::vector<double> covered(mesh.face_count(), std::numeric_limits<double>::infinity());
+  const int count = context.threads.count();
+  std::deque<Worker> workers;
+  for (int i = 0; i < count; ++i)
+    workers.emplace_back(mesh, Propagation(mesh, max_distance, visit, i), covered);
+  std::vector<char> done(count, 0);
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&](std::size_t i, std::size_t) {
+    done[i] = done[i] || workers[i].work(parts, next, visits_between_polls);
+  };
+  do {
+    context.check();
+    const double begun = static_cast<double>(std::min(next.load(), parts.count()));
+    context.report({"distance", begun / static_cast<double>(parts.count())});
+    parallel_for(context.threads, workers.size(), 1, work);
+  } while (std::count(done.begin(), done.end(), 0) > 0);
+  context.report({"distance", 1});
 }
 
 NearbyCracks nearby_cracks(const TriangleMesh& mesh, const std::vector<std::int32_t>& sides,
                            double max_distance, const Context& context) {
   NearbyCracks result{max_distance, {}, {}};
   if (sides.empty()) return result;
-  AcceptedByFaces<NearbyCrack> seen;
+  std::vector<AcceptedByFaces<NearbyCrack>> seen(context.threads.count());
   carry_cracks(mesh, sides, max_distance, context,
-               [&](std::int32_t face, const NearbyCrack& crack) { seen.add(face, crack); });
-  seen.sort(static_cast<std::size_t>(mesh.face_count()), result.first, result.segments);
+               [&](int worker, std::int32_t face, const NearbyCrack& crack) {
+                 seen[worker].add(face, crack);
+               });
+  sort_by_face<NearbyCrack>(seen, mesh.face_count(), result.first, result.segments);
   return result;
 }
 

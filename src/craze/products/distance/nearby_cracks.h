@@ -35,15 +35,17 @@ struct NearbyCracks {
 /// The halfedges that are sides of a crack, ascending.
 std::vector<std::int32_t> crack_sides(const TriangleMesh& mesh);
 
-/// What to do with a crack edge that a face sees.
-using CrackVisit = std::function<void(std::int32_t face, const NearbyCrack& crack)>;
+/// What to do with a crack edge that a face sees. Several threads do at a time, each with a
+/// `worker` of its own, in [0, threads), that all faces of a part of the mesh share.
+using CrackVisit = std::function<void(int worker, std::int32_t face, const NearbyCrack& crack)>;
 
 /// Carries each of `sides` (halfedges, seen from their own faces) outwards over the faces, nearest
 /// first and never across an open edge, until max_distance or until a nearer crack covers the face.
 /// Every crack edge that can be the nearest one to some point of a face is visited for that face,
 /// the nearest first. A crack on the far side of a thin wall is as far away as the way round.
 /// Infinity is a valid max_distance. Cost: proportional to the faces within reach; kept are 8 bytes
-/// for each visit, and the cracks that are on their way. Throws Cancelled.
+/// for each visit, and the cracks that are on their way. Parts of the mesh that no face joins go in
+/// parallel. Throws Cancelled.
 void carry_cracks(const TriangleMesh& mesh, const std::vector<std::int32_t>& sides,
                   double max_distance, const Context& context, const CrackVisit& visit);
 

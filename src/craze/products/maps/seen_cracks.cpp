@@ -1,6 +1,7 @@
 #include "craze/products/maps/seen_cracks.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "craze/base/segment_distance.h"
 #include "craze/products/distance/face_spread.h"
@@ -8,6 +9,8 @@
 namespace craze {
 
 namespace {
+
+constexpr std::int64_t visits_between_polls = 1 << 14;
 
 Vec3 lifted(const Vec2& p) {
   return {p.x(), p.y(), 0};
@@ -96,15 +99,18 @@ FacePlane face_plane(const SurfaceMesh& surface, std::int32_t f) {
 SeenCracks seen_cracks(const MapSurface& maps, const SightLimits& limits, const Context& context) {
   const TriangleMesh mesh(maps.surface.positions, maps.neighbours());
   Sight sight(maps.surface, mesh, limits);
-  FaceSpread spread(mesh, sight);
+  SeenCracks seen;
+  seen.farthest.assign(maps.surface.triangles.size(), std::numeric_limits<double>::infinity());
+  FaceSpread spread(mesh, sight, seen.farthest);
   for (std::size_t i = 0; i < maps.cracks.size(); ++i) {
     const auto index = static_cast<std::int32_t>(i);
     spread.start(maps.cracks[i].face, sight.seen_from_own_face(maps.cracks[i], index));
   }
-  spread.run("maps", context);
-  SeenCracks seen;
-  sight.accepted.sort(maps.surface.triangles.size(), seen.first, seen.cracks);
-  seen.farthest = spread.take_covered();
+  for (std::int64_t left = 0; !spread.run(left); left = visits_between_polls) {
+    context.check();
+    context.report({"maps"});
+  }
+  sort_by_face<SeenCrack>({&sight.accepted, 1}, mesh.face_count(), seen.first, seen.cracks);
   return seen;
 }
 
