@@ -15,8 +15,13 @@ inline double nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return length > 0 ? std::clamp((p - a).dot(d) / length, 0.0, 1.0) : 0.0;
 }
 
+/// Squared.
+inline double squared_point_segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
+  return (a + nearest_on_segment(p, a, b) * (b - a) - p).squaredNorm();
+}
+
 inline double point_segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
-  return (a + nearest_on_segment(p, a, b) * (b - a) - p).norm();
+  return std::sqrt(squared_point_segment_distance(p, a, b));
 }
 
 /// Distance between the segments ab and cd, which lie in one plane.
@@ -25,8 +30,9 @@ inline double coplanar_segment_distance(const Vec3& a, const Vec3& b, const Vec3
   const Vec3 e = d - c, s = b - a;
   const Vec3 ca = e.cross(a - c), cb = e.cross(b - c), ac = s.cross(c - a), ad = s.cross(d - a);
   if (ca.dot(cb) < 0 && ac.dot(ad) < 0) return 0;
-  return std::min(std::min(point_segment_distance(a, c, d), point_segment_distance(b, c, d)),
-                  std::min(point_segment_distance(c, a, b), point_segment_distance(d, a, b)));
+  return std::sqrt(
+      std::min({squared_point_segment_distance(a, c, d), squared_point_segment_distance(b, c, d),
+                squared_point_segment_distance(c, a, b), squared_point_segment_distance(d, a, b)}));
 }
 
 }  // namespace craze

@@ -41,20 +41,21 @@ void add_nearest_crack(SurfaceMesh& surface, const CrackedSurface& state,
     return from + nearest_on_segment(p, seen.a, seen.b) * (to - from);
   };
   // A vertex is of one part of the mesh.
-  carry_cracks(mesh, sides, far, context, [&](int, std::int32_t f, const NearbyCrack& seen) {
-    const double t = times[mesh.crack_of(seen.halfedge)];
-    for (const std::int32_t v : mesh.triangle(f)) {
-      const Vec3& p = mesh.position(v);
-      const double d = point_segment_distance(p, seen.a, seen.b);
-      if (d > distance.values[v]) continue;
-      // Of cracks that meet at the vertex, the first that opened.
-      const bool tie = d == distance.values[v] && time.values[v] >= 0;
-      if (!tie || t < time.values[v]) time.values[v] = t;
-      const double came = arrival(seen, p);
-      if (!tie || came < growth.values[v]) growth.values[v] = came;
-      distance.values[v] = d;
-    }
-  });
+  carry_cracks(mesh, sides, far, context,
+               [&](int, std::int32_t f, const NearbyCrack& seen, const CornerDistances& distances) {
+                 const double t = times[mesh.crack_of(seen.halfedge)];
+                 for (int i = 0; i < 3; ++i) {
+                   const std::int32_t v = mesh.triangle(f)[i];
+                   const double d = distances[i];
+                   if (d > distance.values[v]) continue;
+                   // Of cracks that meet at the vertex, the first that opened.
+                   const bool tie = d == distance.values[v] && time.values[v] >= 0;
+                   if (!tie || t < time.values[v]) time.values[v] = t;
+                   const double came = arrival(seen, mesh.position(v));
+                   if (!tie || came < growth.values[v]) growth.values[v] = came;
+                   distance.values[v] = d;
+                 }
+               });
   set_attribute(surface.vertex_attributes, std::move(distance));
   set_attribute(surface.vertex_attributes, std::move(time));
   set_attribute(surface.vertex_attributes, std::move(growth));

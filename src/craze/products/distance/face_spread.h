@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <queue>
 #include <span>
@@ -10,10 +11,15 @@
 #include <utility>
 #include <vector>
 
-#include "craze/base/number_set.h"
 #include "craze/mesh/triangle_mesh.h"
 
 namespace craze {
+
+/// What a face has taken.
+struct FaceCover {
+  double covered = std::numeric_limits<double>::infinity();  ///< farther from it is no point
+  std::int32_t last = -1;  ///< of what it has accepted, a list that the spread keeps
+};
 
 /// Carries what Rules say outwards over the faces of a mesh, never across an open edge. Each thing
 /// is accepted by a face once at most, and the nearest first. Rules has, of things of the type
@@ -22,19 +28,17 @@ namespace craze {
 ///   matters(face, distance, covered, thing): whether a face takes one that is at least so far from
 ///     all its points, where no point of it is farther than `covered` from one that it has taken;
 ///     false for any larger distance as well, and for any smaller `covered`;
-///   farthest(face, thing): no point of the face is farther from it;
 ///   distance_to_edge(halfedge, thing), across(halfedge, thing): in the face of the halfedge, and
 ///     as it is seen from the face beyond;
-///   accept(face, thing): what to do with it.
+///   accept(face, thing): what to do with it; returns from what no point of the face is farther.
 template <class Rules>
 class FaceSpread {
  public:
   using Carried = typename Rules::Carried;
 
-  /// All must outlive this. `covered`, #F: no point of a face is farther from a thing that it has
-  /// taken; ∞ at first. Of that, and in accept(), only faces that things reach are touched.
-  FaceSpread(const TriangleMesh& mesh, Rules& rules, std::vector<double>& covered)
-      : mesh_(mesh), rules_(rules), covered_(covered) {}
+  /// All must outlive this. `covers`, #F: only those of faces that things reach are touched.
+  FaceSpread(const TriangleMesh& mesh, Rules& rules, std::vector<FaceCover>& covers)
+      : mesh_(mesh), rules_(rules), covers_(covers) {}
 
   void start(std::int32_t face, const Carried& thing) { send(0, face, {thing, -1}); }
 
@@ -49,7 +53,7 @@ class FaceSpread {
       free_.push_back(arrival.slot);
       if (takes(arrival.face, arrival.distance, traveller.thing)) accept(arrival, traveller);
     }
-    accepted_ = NumberSet();
+    accepted_.clear();
     return true;
   }
 
@@ -69,14 +73,19 @@ class FaceSpread {
       return std::tie(p.distance, p.face, p.number) > std::tie(q.distance, q.face, q.number);
     }
   };
-  std::uint64_t key(std::int32_t face, const Carried& thing) const {
-    return static_cast<std::uint64_t>(face) << 32 |
-           static_cast<std::uint32_t>(rules_.number(thing));
-  }
+  struct Accepted {
+    std::int32_t number;  ///< of the thing
+    std::int32_t before;  ///< what the face accepted before it; −1: nothing
+  };
 
   bool takes(std::int32_t face, double distance, const Carried& thing) const {
-    return rules_.matters(face, distance, covered_[face], thing) &&
-           !accepted_.contains(key(face, thing));
+    const FaceCover& cover = covers_[face];
+    if (!rules_.matters(face, distance, cover.covered, thing)) return false;
+    const std::int32_t number = rules_.number(thing);
+    for (std::int32_t i = cover.last; i >= 0; i = accepted_[i].before) {
+      if (accepted_[i].number == number) return false;
+    }
+    return true;
   }
 
   void send(double distance, std::int32_t face, const Traveller& traveller) {
@@ -93,9 +102,10 @@ class FaceSpread {
 
   void accept(const Arrival& arrival, const Traveller& traveller) {
     const std::int32_t f = arrival.face;
-    accepted_.insert(key(f, traveller.thing));
-    rules_.accept(f, traveller.thing);
-    covered_[f] = std::min(covered_[f], rules_.farthest(f, traveller.thing));
+    FaceCover& cover = covers_[f];
+    accepted_.push_back({rules_.number(traveller.thing), cover.last});
+    cover.last = static_cast<std::int32_t>(accepted_.size()) - 1;
+    cover.covered = std::min(cover.covered, rules_.accept(f, traveller.thing));
     for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
       if (h != traveller.entry && !mesh_.is_open(h)) pass_on(arrival.distance, traveller.thing, h);
     }
@@ -105,7 +115,7 @@ class FaceSpread {
     const std::int32_t o = mesh_.opposite(h), g = TriangleMesh::face_of(o);
     if (!takes(g, least, thing)) return;
     const double distance = std::max(least, rules_.distance_to_edge(h, thing));
-    if (!rules_.matters(g, distance, covered_[g], thing)) return;
+    if (!rules_.matters(g, distance, covers_[g].covered, thing)) return;
     send(distance, g, {rules_.across(h, thing), o});
   }
 
@@ -114,8 +124,8 @@ class FaceSpread {
   std::vector<Traveller> pool_;     // of what is on its way
   std::vector<std::int32_t> free_;  // slots of the pool
   std::int64_t sent_ = 0;
-  NumberSet accepted_;  // by face and thing
-  std::vector<double>& covered_;
+  std::vector<Accepted> accepted_;
+  std::vector<FaceCover>& covers_;
   std::priority_queue<Arrival, std::vector<Arrival>, Later> queue_;
 };
 

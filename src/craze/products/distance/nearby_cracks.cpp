@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <deque>
-#include <limits>
 
 #include "craze/base/parallel.h"
 #include "craze/base/segment_distance.h"
@@ -43,15 +42,6 @@ class Propagation {
     return distance <= max_distance_ && distance <= covered;
   }
 
-  /// The distance to a segment is convex, so over the face it is largest at a corner.
-  double farthest(std::int32_t f, const NearbyCrack& crack) const {
-    double largest = 0;
-    for (const std::int32_t v : mesh_.triangle(f)) {
-      largest = std::max(largest, point_segment_distance(mesh_.position(v), crack.a, crack.b));
-    }
-    return largest;
-  }
-
   double distance_to_edge(std::int32_t h, const NearbyCrack& crack) const {
     return coplanar_segment_distance(crack.a, crack.b, mesh_.position(mesh_.from(h)),
                                      mesh_.position(mesh_.to(h)));
@@ -68,7 +58,15 @@ class Propagation {
     return {unfold(crack.a), unfold(crack.b), crack.halfedge};
   }
 
-  void accept(std::int32_t face, const NearbyCrack& crack) { visit_(worker_, face, crack); }
+  double accept(std::int32_t face, const NearbyCrack& crack) {
+    const Triangle& t = mesh_.triangle(face);
+    CornerDistances distances;
+    for (int i = 0; i < 3; ++i)
+      distances[i] = point_segment_distance(mesh_.position(t[i]), crack.a, crack.b);
+    visit_(worker_, face, crack, distances);
+    // The distance to a segment is convex, so over the face it is largest at a corner.
+    return std::max({distances[0], distances[1], distances[2]});
+  }
 
  private:
   const TriangleMesh& mesh_;
@@ -102,8 +100,8 @@ SidesByPart by_part(const TriangleMesh& mesh, const std::vector<std::int32_t>& s
 /// caches hold.
 class Worker {
  public:
-  Worker(const TriangleMesh& mesh, const Propagation& propagation, std::vector<double>& covered)
-      : propagation_(propagation), spread_(mesh, propagation_, covered) {}
+  Worker(const TriangleMesh& mesh, const Propagation& propagation, std::vector<FaceCover>& covers)
+      : propagation_(propagation), spread_(mesh, propagation_, covers) {}
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
@@ -137,11 +135,11 @@ void carry_cracks(const TriangleMesh& mesh, const std::vector<std::int32_t>& sid
                   double max_distance, const Context& context, const CrackVisit& visit) {
   if (sides.empty()) return;
   const SidesByPart parts = by_part(mesh, sides);
-  std::vector<double> covered(mesh.face_count(), std::numeric_limits<double>::infinity());
+  std::vector<FaceCover> covers(mesh.face_count());
   const int count = context.threads.count();
   std::deque<Worker> workers;
   for (int i = 0; i < count; ++i)
-    workers.emplace_back(mesh, Propagation(mesh, max_distance, visit, i), covered);
+    workers.emplace_back(mesh, Propagation(mesh, max_distance, visit, i), covers);
   std::vector<char> done(count, 0);
   std::atomic<std::size_t> next = 0;
   const auto work = [&](std::size_t i, std::size_t) {
@@ -162,9 +160,8 @@ NearbyCracks nearby_cracks(const TriangleMesh& mesh, const std::vector<std::int3
   if (sides.empty()) return result;
   std::vector<AcceptedByFaces<NearbyCrack>> seen(context.threads.count());
   carry_cracks(mesh, sides, max_distance, context,
-               [&](int worker, std::int32_t face, const NearbyCrack& crack) {
-                 seen[worker].add(face, crack);
-               });
+               [&](int worker, std::int32_t face, const NearbyCrack& crack,
+                   const CornerDistances&) { seen[worker].add(face, crack); });
   sort_by_face<NearbyCrack>(seen, mesh.face_count(), result.first, result.segments);
   return result;
 }

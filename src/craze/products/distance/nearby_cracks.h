@@ -1,6 +1,7 @@
 // Which cracks each face can see: the crack edges near it along the surface.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -35,9 +36,13 @@ struct NearbyCracks {
 /// The halfedges that are sides of a crack, ascending.
 std::vector<std::int32_t> crack_sides(const TriangleMesh& mesh);
 
+/// Of the corners of a face, from a crack edge.
+using CornerDistances = std::array<double, 3>;
+
 /// What to do with a crack edge that a face sees. Several threads do at a time, each with a
 /// `worker` of its own, in [0, threads), that all faces of a part of the mesh share.
-using CrackVisit = std::function<void(int worker, std::int32_t face, const NearbyCrack& crack)>;
+using CrackVisit = std::function<void(int worker, std::int32_t face, const NearbyCrack& crack,
+                                      const CornerDistances& distances)>;
 
 /// Carries each of `sides` (halfedges, seen from their own faces) outwards over the faces, nearest
 /// first and never across an open edge, until max_distance or until a nearer crack covers the face.

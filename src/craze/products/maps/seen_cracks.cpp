@@ -1,7 +1,6 @@
 #include "craze/products/maps/seen_cracks.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "craze/base/segment_distance.h"
 #include "craze/products/distance/face_spread.h"
@@ -42,15 +41,6 @@ class Sight {
     return distance - margin <= covered + margin || distance - margin <= limits_.reach[seen.crack];
   }
 
-  /// The distance to a segment is convex, so over the face it is largest at a corner.
-  double farthest(std::int32_t f, const SeenCrack& seen) const {
-    double largest = 0;
-    for (const Vec2& corner : planes_[f].corners) {
-      largest = std::max(largest, distance_to(corner, seen));
-    }
-    return largest;
-  }
-
   double distance_to_edge(std::int32_t h, const SeenCrack& seen) const {
     return coplanar_segment_distance(lifted(seen.a), lifted(seen.b), lifted(from(h)),
                                      lifted(to(h)));
@@ -69,7 +59,15 @@ class Sight {
     return {turn(seen.a), turn(seen.b), seen.crack};
   }
 
-  void accept(std::int32_t face, const SeenCrack& seen) { accepted.add(face, seen); }
+  double accept(std::int32_t face, const SeenCrack& seen) {
+    accepted.add(face, seen);
+    // The distance to a segment is convex, so over the face it is largest at a corner.
+    double largest = 0;
+    for (const Vec2& corner : planes_[face].corners) {
+      largest = std::max(largest, distance_to(corner, seen));
+    }
+    return largest;
+  }
 
   AcceptedByFaces<SeenCrack> accepted;
 
@@ -99,9 +97,8 @@ FacePlane face_plane(const SurfaceMesh& surface, std::int32_t f) {
 SeenCracks seen_cracks(const MapSurface& maps, const SightLimits& limits, const Context& context) {
   const TriangleMesh mesh(maps.surface.positions, maps.neighbours());
   Sight sight(maps.surface, mesh, limits);
-  SeenCracks seen;
-  seen.farthest.assign(maps.surface.triangles.size(), std::numeric_limits<double>::infinity());
-  FaceSpread spread(mesh, sight, seen.farthest);
+  std::vector<FaceCover> covers(mesh.face_count());
+  FaceSpread spread(mesh, sight, covers);
   for (std::size_t i = 0; i < maps.cracks.size(); ++i) {
     const auto index = static_cast<std::int32_t>(i);
     spread.start(maps.cracks[i].face, sight.seen_from_own_face(maps.cracks[i], index));
@@ -110,6 +107,8 @@ SeenCracks seen_cracks(const MapSurface& maps, const SightLimits& limits, const 
     context.check();
     context.report({"maps"});
   }
+  SeenCracks seen;
+  for (const FaceCover& cover : covers) seen.farthest.push_back(cover.covered);
   sort_by_face<SeenCrack>({&sight.accepted, 1}, mesh.face_count(), seen.first, seen.cracks);
   return seen;
 }
