@@ -1,26 +1,60 @@
 #include "craze/model/failure/failure_queue.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace craze {
 
+namespace {
+
+// The heap begins with the nodes from this part of the greatest measure on.
+constexpr double heaped_part = 0.9;
+
+}  // namespace
+
 void FailureQueue::set(std::int32_t v, double measure) {
+  measure = measure > 0 ? measure : 0;
   if (v >= static_cast<std::int32_t>(slot_.size())) {
-    if (!(measure > 0)) return;
+    if (measure == 0) return;
     slot_.resize(v + 1, -1);
+    measures_.resize(v + 1, 0);
   }
-  std::int32_t slot = slot_[v];
-  if (measure > 0) {
-    if (slot < 0) {
-      slot = static_cast<std::int32_t>(heap_.size());
-      heap_.push_back({measure, v});
-      slot_[v] = slot;
-    }
-    heap_[slot].measure = measure;
-    sift(slot);
+  const bool was_heaped = slot_[v] >= 0;
+  if (!was_heaped && measures_[v] > 0) --waiting_;
+  measures_[v] = measure;
+  if (measure > 0 && measure >= least_) {
+    push(v, measure);
     return;
   }
-  if (slot < 0) return;
+  if (was_heaped) take_out(v);
+  if (measure > 0) ++waiting_;
+}
+
+std::int32_t FailureQueue::top() {
+  assert(!empty());
+  if (heap_.empty()) {
+    least_ = heaped_part * *std::max_element(measures_.begin(), measures_.end());
+    for (std::size_t v = 0; v < measures_.size(); ++v) {
+      if (measures_[v] > 0 && measures_[v] >= least_) {
+        push(static_cast<std::int32_t>(v), measures_[v]);
+        --waiting_;
+      }
+    }
+  }
+  return heap_.front().node;
+}
+
+void FailureQueue::push(std::int32_t v, double measure) {
+  if (slot_[v] < 0) {
+    slot_[v] = static_cast<std::int32_t>(heap_.size());
+    heap_.push_back({measure, v});
+  }
+  heap_[slot_[v]].measure = measure;
+  sift(slot_[v]);
+}
+
+void FailureQueue::take_out(std::int32_t v) {
+  const std::int32_t slot = slot_[v];
   const Entry last = heap_.back();
   heap_.pop_back();
   slot_[v] = -1;
