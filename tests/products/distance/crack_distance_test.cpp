@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "craze/base/random.h"
 #include "craze/base/segment_distance.h"
+#include "craze/mesh/components.h"
 #include "products/distance/surfaces.h"
 
 namespace craze {
@@ -119,6 +121,54 @@ TEST(CrackDistance, FacesBeyondTheReachListNothing) {
     EXPECT_TRUE(nearest <= reach + 0.1 || near.of(f).empty());
     EXPECT_TRUE(farthest >= reach || !near.of(f).empty());
   }
+}
+
+/// A plate cut along lines into 36 square parts.
+TriangleMesh tiles() {
+  constexpr int n = 30, every = 5;
+  TriangleMesh mesh = plate(n, 0);
+  const auto on_a_line = [&](std::int32_t h, int axis) {
+    const double a = n * mesh.position(mesh.from(h))[axis], b = n * mesh.position(mesh.to(h))[axis];
+    const double line = every * std::round(a / every);
+    return std::abs(a - line) < 1e-9 && std::abs(b - line) < 1e-9;
+  };
+  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
+    if (!mesh.is_open(h) && (on_a_line(h, 0) || on_a_line(h, 1))) mesh.cut(h, 0);
+  }
+  return mesh;
+}
+
+TEST(CrackDistance, IsTheSameOnAnyNumberOfThreads) {
+  const TriangleMesh mesh = tiles();
+  ASSERT_EQ(find_components(mesh).count, 36);
+  const NearbyCracks one = nearby_cracks(mesh, crack_sides(mesh), infinity, {1, {}, {}});
+  ASSERT_GT(one.segments.size(), 3U * static_cast<std::size_t>(mesh.face_count()));
+  for (const int threads : {2, 3, 64}) {
+    const NearbyCracks many = nearby_cracks(mesh, crack_sides(mesh), infinity, {threads, {}, {}});
+    EXPECT_EQ(many.first, one.first);
+    ASSERT_EQ(many.segments.size(), one.segments.size());
+    for (std::size_t i = 0; i < one.segments.size(); ++i) {
+      EXPECT_EQ(many.segments[i].halfedge, one.segments[i].halfedge);
+      EXPECT_EQ(many.segments[i].a, one.segments[i].a);
+      EXPECT_EQ(many.segments[i].b, one.segments[i].b);
+    }
+  }
+}
+
+TEST(CrackDistance, SaysHowFarItIsAndHearsACancel) {
+  const TriangleMesh mesh = tiles();
+  double fraction = -1;
+  Context context{2,
+                  [&](const Progress& p) {
+                    EXPECT_GE(p.fraction, fraction);
+                    fraction = p.fraction;
+                  },
+                  {}};
+  nearby_cracks(mesh, crack_sides(mesh), infinity, context);
+  EXPECT_EQ(fraction, 1);
+  fraction = -1;
+  context.cancelled = [] { return true; };
+  EXPECT_THROW(nearby_cracks(mesh, crack_sides(mesh), infinity, context), Cancelled);
 }
 
 TEST(CrackDistance, WithoutCracksEveryVertexIsBeyondReach) {
