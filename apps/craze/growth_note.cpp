@@ -8,7 +8,7 @@
 
 namespace craze::app {
 
-void print_growth(const RunOptions& options, const std::optional<Growth>& growth,
+void print_growth(const RunOptions& options, const std::optional<PlanGrowth>& growth,
                   const GrowthWords& words) {
   if (!growth || options.quiet) return;
   std::string told = fmt::format("{} goes on from {} {} to {}", words.whole, growth->before,

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "craze/job/plan/growth.h"
+#include "craze/job/plan/plan_growth.h"
 #include "run_options.h"
 
 namespace craze::app {
@@ -16,7 +16,7 @@ struct GrowthWords {
 };
 
 /// One line on standard error; none with --quiet, or where nothing grows.
-void print_growth(const RunOptions& options, const std::optional<Growth>& growth,
+void print_growth(const RunOptions& options, const std::optional<PlanGrowth>& growth,
                   const GrowthWords& words);
 
 }  // namespace craze::app

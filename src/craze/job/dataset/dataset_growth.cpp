@@ -21,13 +21,13 @@ std::optional<DatasetPlan> same_samples(const DatasetPlan& plan, const PlanSourc
 
 }  // namespace
 
-std::optional<Growth> dataset_growth(const PlanSource& source,
-                                     const std::filesystem::path& folder) {
+std::optional<PlanGrowth> dataset_growth(const PlanSource& source,
+                                         const std::filesystem::path& folder) {
   const DatasetPlan plan(source);
   const auto there = plan_there(folder);
   const auto held = there ? same_samples(plan, *there) : std::nullopt;
   if (!held || held->shape.samples >= plan.shape.samples) return std::nullopt;
-  Growth growth{held->shape.samples, plan.shape.samples, {}, 0, 0};
+  PlanGrowth growth{held->shape.samples, plan.shape.samples, {}, 0, 0};
   const std::uint64_t last = held->shape.shards() - 1;
   if (const auto mark = read_shorter_mark(plan.shape, folder, last)) {
     growth.piece = last;

@@ -5,12 +5,13 @@
 #include <optional>
 
 #include "craze/job/dataset/sample.h"
-#include "craze/job/plan/growth.h"
+#include "craze/job/plan/plan_growth.h"
 
 namespace craze {
 
 /// What making a set will do to a smaller one that is there; none: there is none.
-std::optional<Growth> dataset_growth(const PlanSource& source, const std::filesystem::path& folder);
+std::optional<PlanGrowth> dataset_growth(const PlanSource& source,
+                                         const std::filesystem::path& folder);
 
 /// Makes the folder the plan's (claim_plan_folder). A set of the same plan with fewer samples
 /// becomes one with more. Throws Error(usage) where it has more than the plan asks for.

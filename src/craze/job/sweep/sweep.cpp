@@ -72,12 +72,12 @@ void claim_sweep(const SweepRows& rows, const PlanSource& source, const fs::path
 
 }  // namespace
 
-std::optional<Growth> sweep_growth(const PlanSource& source, const fs::path& folder) {
+std::optional<PlanGrowth> sweep_growth(const PlanSource& source, const fs::path& folder) {
   const SweepRows rows(Plan(source.text, source.name, sweep_schema()));
   const auto there = plan_there(folder);
   const auto held = there ? same_runs(rows, *there) : std::nullopt;
   if (!held || held->count() >= rows.count() || !rows.begin_with(*held)) return std::nullopt;
-  Growth growth{held->count(), rows.count(), {}, 0, 0};
+  PlanGrowth growth{held->count(), rows.count(), {}, 0, 0};
   const std::uint64_t last = held->part_count() - 1;
   const std::uint64_t lines = line_count(whole_lines(part_file(folder, last)));
   if (lines > 0 && lines < rows.rows_of(last)) {

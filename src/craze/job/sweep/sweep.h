@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "craze/context.h"
-#include "craze/job/plan/growth.h"
 #include "craze/job/plan/plan_folder.h"
+#include "craze/job/plan/plan_growth.h"
 #include "craze/job/plan/shard.h"
 
 namespace craze {
@@ -20,7 +20,8 @@ struct SweepResult {
 };
 
 /// What running a sweep will do to a table of fewer rows that is there; none: there is none.
-std::optional<Growth> sweep_growth(const PlanSource& source, const std::filesystem::path& folder);
+std::optional<PlanGrowth> sweep_growth(const PlanSource& source,
+                                       const std::filesystem::path& folder);
 
 /// Runs the rows of a shard that are not there yet and writes them to FOLDER/parts, a file for each
 /// part. Where no part is missing, of whatever shard, joins them to FOLDER/table.csv, columns/ (an

@@ -98,12 +98,13 @@ SidesByPart by_part(const TriangleMesh& mesh, const std::vector<std::int32_t>& s
 
 /// Carries cracks over one part of the mesh after the other, each in a stretch of memory that the
 /// caches hold.
-class Worker {
+class PartWorker {
  public:
-  Worker(const TriangleMesh& mesh, const Propagation& propagation, std::vector<FaceCover>& covers)
+  PartWorker(const TriangleMesh& mesh, const Propagation& propagation,
+             std::vector<FaceCover>& covers)
       : propagation_(propagation), spread_(mesh, propagation_, covers) {}
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
+  PartWorker(const PartWorker&) = delete;
+  PartWorker& operator=(const PartWorker&) = delete;
 
   /// So many visits; parts are taken from `next` on. Returns whether none is left.
   bool work(const SidesByPart& parts, std::atomic<std::size_t>& next, std::int64_t visits) {
@@ -137,7 +138,7 @@ void carry_cracks(const TriangleMesh& mesh, const std::vector<std::int32_t>& sid
   const SidesByPart parts = by_part(mesh, sides);
   std::vector<FaceCover> covers(mesh.face_count());
   const int count = context.threads.count();
-  std::deque<Worker> workers;
+  std::deque<PartWorker> workers;
   for (int i = 0; i < count; ++i)
     workers.emplace_back(mesh, Propagation(mesh, max_distance, visit, i), covers);
   std::vector<char> done(count, 0);

@@ -7,7 +7,7 @@
 namespace craze {
 
 /// A run that goes on where another ended: in samples and shards, or in rows and parts.
-struct Growth {
+struct PlanGrowth {
   std::uint64_t before = 0, after = 0;  ///< samples or rows
   /// The shard or part that the smaller one ended with, where that holds fewer than it will.
   std::optional<std::uint64_t> piece;
