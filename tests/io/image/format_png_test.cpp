@@ -8,6 +8,8 @@
 namespace craze {
 namespace {
 
+#ifdef CRAZE_PNG
+
 TEST(FormatPng, ReadsBackAsItWas) {
   for (const int channels : {1, 3}) {
     for (const int bits : {8, 16}) {
@@ -27,6 +29,8 @@ TEST(FormatPng, ReadsBackAsItWas) {
     }
   }
 }
+
+#endif
 
 }  // namespace
 }  // namespace craze
