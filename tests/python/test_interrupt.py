@@ -190,7 +190,7 @@ class Threads(Case):
         beside = threading.Thread(target=tick)
         beside.start()
         try:
-            cracked(n=20)
+            cracked(n=60)  # a tenth of a second
         finally:
             over.set()
             beside.join()

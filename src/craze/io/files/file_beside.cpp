@@ -99,10 +99,17 @@ std::string FileBeside::path_by(int inherited) const {
 int FileBeside::move_to(const fs::path& path) {
   if (temporary_.empty()) {
     const std::string self = path_by(fd_);
-    const bool named = take_name([&] {
-      return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) == 0;
-    });
-    if (!named) return errno;
+    const auto link_to = [&](const fs::path& name) {
+      return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    };
+    // In one step where nothing is there: a process that is killed leaves no name behind.
+    if (link_to(path)) {
+      if (::close(std::exchange(fd_, -1)) == 0) return 0;
+      const int error = errno;
+      ::unlink(path.c_str());
+      return error;
+    }
+    if (errno != EEXIST || !take_name([&] { return link_to(temporary_); })) return errno;
   }
   const int fd = std::exchange(fd_, -1);
   if (::close(fd) != 0 || ::rename(temporary_.c_str(), path.c_str()) != 0) return errno;
