@@ -15,7 +15,7 @@ inline double nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return length > 0 ? std::clamp((p - a).dot(d) / length, 0.0, 1.0) : 0.0;
 }
 
-/// Squared.
+/// The square of point_segment_distance().
 inline double squared_point_segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (a + nearest_on_segment(p, a, b) * (b - a) - p).squaredNorm();
 }

@@ -83,11 +83,9 @@ class ShardCheck {
 
   /// images/ and masks/, where the plan has them.
   void check_beside(const std::string& id, const std::string& kind, const std::string& hash) {
-    const bool image = kind == "image.png";
-    if (!plan_.shape.folders || (!image && kind != "mask.png")) return;
-    const fs::path file = fs::path(image ? "images" : "masks") / (id + ".png");
-    if (sha256_of_file(folder_ / file) != hash) {
-      fault(file.string() + " is not what its archive has");
+    const auto file = path_beside(plan_.shape, folder_, id, kind);
+    if (file && sha256_of_file(*file) != hash) {
+      fault(file->lexically_relative(folder_).string() + " is not what its archive has");
     }
   }
 

@@ -40,14 +40,6 @@ std::string mark_text(const ShardMark& mark) {
   return json.dump(1) + "\n";
 }
 
-/// The file of a sample beside the archives, of those kinds that have one.
-std::optional<fs::path> path_beside(const DatasetShape& shape, const fs::path& folder,
-                                    const std::string& id, const std::string& kind) {
-  const bool image = kind == "image.png";
-  if (!shape.folders || (!image && kind != "mask.png")) return std::nullopt;
-  return folder / (image ? "images" : "masks") / (id + ".png");
-}
-
 void make_folders(const DatasetPlan& plan, const fs::path& folder) {
   make_output_folder("the shards", folder / "shards");
   if (!plan.shape.folders) return;
@@ -179,6 +171,13 @@ ShardPaths shard_paths(const fs::path& folder, std::uint64_t shard) {
   const fs::path base = folder / "shards";
   return {base / fmt::format("{:06}.tar", shard), base / fmt::format("{:06}.coco.json", shard),
           base / fmt::format("{:06}.json", shard)};
+}
+
+std::optional<fs::path> path_beside(const DatasetShape& shape, const fs::path& folder,
+                                    const std::string& id, const std::string& kind) {
+  const bool image = kind == "image.png";
+  if (!shape.folders || (!image && kind != "mask.png")) return std::nullopt;
+  return folder / (image ? "images" : "masks") / (id + ".png");
 }
 
 std::optional<ShardMark> read_mark(const DatasetShape& shape, const fs::path& folder,

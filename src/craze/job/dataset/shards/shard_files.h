@@ -28,6 +28,11 @@ struct ShardMark {
   SampleSums sums;
 };
 
+/// The file of a sample beside the archives, of those kinds that have one in such a set.
+std::optional<std::filesystem::path> path_beside(const DatasetShape& shape,
+                                                 const std::filesystem::path& folder,
+                                                 const std::string& id, const std::string& kind);
+
 /// The marker, where there is one, it is sound and the plan's, and the archive beside it has its
 /// size.
 std::optional<ShardMark> read_mark(const DatasetShape& shape, const std::filesystem::path& folder,
