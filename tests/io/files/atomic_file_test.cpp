@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/inotify.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -26,6 +27,23 @@ TEST(AtomicFile, ReplacesTheOldFileAndKeepsItsMode) {
   EXPECT_EQ(read_file(folder / "a"), "new");
   EXPECT_EQ(fs::status(folder / "a").permissions(), fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, ANewFileNeverHasAnotherName) {
+  const TemporaryFolder folder;
+  const int nameless = ::open(folder.path().c_str(), O_TMPFILE | O_WRONLY, 0666);
+  if (nameless < 0) GTEST_SKIP() << "files without a name cannot be made here";
+  ::close(nameless);
+  const int watch = ::inotify_init1(IN_NONBLOCK);
+  ASSERT_GE(::inotify_add_watch(watch, folder.path().c_str(), IN_CREATE | IN_MOVED_TO), 0);
+  write_file(folder / "a", "x");
+  alignas(inotify_event) char events[4096];
+  const ssize_t size = ::read(watch, events, sizeof events);
+  ::close(watch);
+  ASSERT_GT(size, 0);
+  const auto* const event = reinterpret_cast<const inotify_event*>(events);
+  EXPECT_STREQ(event->name, "a");
+  EXPECT_EQ(static_cast<std::size_t>(size), sizeof(inotify_event) + event->len);  // the only one
 }
 
 TEST(AtomicFile, NewFilesFollowTheUmask) {
