@@ -58,9 +58,8 @@ def replace_mesh(thing: Any, made: Made) -> None:
     if old is not None and old.users == 0:
         bpy.data.meshes.remove(old)
     thing.craze.run = made.run
-    if made.report:
-        thing.craze.report = json.dumps(made.report)
-        thing.craze.recipe = json.dumps(made.report["recipe"])
+    thing.craze.report = json.dumps(made.report)
+    thing.craze.recipe = json.dumps(made.report["recipe"])
 
 
 def keep_materials(old: Any, new: Any) -> None:
@@ -87,13 +86,6 @@ def order_of(thing: Any) -> Order:
         recipe=json.loads(thing.craze.recipe),
         run=thing.craze.run,
     )
-
-
-def set_post(thing: Any, post: dict[str, Any]) -> None:
-    """Its cracks are open so."""
-    recipe = json.loads(thing.craze.recipe)
-    recipe["post"] = post
-    thing.craze.recipe = json.dumps(recipe)
 
 
 def post_of(thing: Any) -> dict[str, Any]:

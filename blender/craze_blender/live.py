@@ -59,8 +59,6 @@ def start(thing: Any, do: str, scene: Any) -> Work:
 def finish(thing: Any, work: Work) -> None:
     """Gives the object what came of it."""
     cracked.replace_mesh(thing, work.result)
-    if not work.result.report:
-        cracked.set_post(thing, work.result.post)
 
 
 def _shown_post(recipe: dict[str, Any]) -> dict[str, Any]:

@@ -39,9 +39,9 @@ class Order:
 
 @dataclass
 class Made:
-    """A cracked mesh. `report` is {} where nothing was cracked anew; `grown` has (n, 3) at each time
-    that was asked for; `solids` (k, 4) of fragments that are closed: volume, and centre of mass;
-    `post` how the cracks are open, as the recipe says it, where they were opened anew."""
+    """A cracked mesh. `report` is that of the run, as its cracks are open; `grown` has (n, 3) at each
+    time that was asked for; `solids` (k, 4) of fragments that are closed: volume, and centre of
+    mass."""
 
     mesh: Any
     run: str
@@ -49,7 +49,6 @@ class Made:
     warnings: list[str]
     grown: list[np.ndarray] = field(default_factory=list)
     solids: np.ndarray | None = None
-    post: dict[str, Any] = field(default_factory=dict)
 
 
 def crack(engine: Engine, order: Order, name: str) -> Steps:
@@ -148,9 +147,7 @@ def _build(order: Order, name: str, read: list[np.ndarray], reply: dict[str, Any
     mesh, lost = yield from last(mesh_out.build(order.mesh, read, order.groups, name, arrays))
     if lost:
         warnings.append("not carried over: " + ", ".join(lost))
-    return Made(
-        mesh, order.run, reply.get("report", {}), warnings, grown, solids, reply.get("post", {})
-    )
+    return Made(mesh, order.run, reply["report"], warnings, grown, solids)
 
 
 def _named_by(

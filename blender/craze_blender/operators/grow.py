@@ -67,7 +67,6 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
         finally:
             if not done:
                 remove([made.mesh])
-        cracked.set_post(thing, made.post)
         if method == "KEYS":
             return f"{stages} stages in {frames} frames"
         _slide(thing, made.grown[0], start, frames)

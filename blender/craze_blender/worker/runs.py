@@ -84,10 +84,11 @@ class Run:
             arrays["solids"] = self._solids(mesh)
         return _with_loose(self.source, self.local, arrays)
 
-    def post(self, post: dict[str, Any]) -> dict[str, Any]:
-        """How cracks are open with `post`: a gap width is a gap, "1%" a number."""
+    def report(self, post: dict[str, Any]) -> dict[str, Any]:
+        """That of the run with `post`, of which rough cracks are longer, for one. In its recipe a
+        gap width is a gap, "1%" a number."""
         assert self.result is not None
-        said: dict[str, Any] = self.result.with_post(**post).recipe["post"]
+        said: dict[str, Any] = self.result.with_post(**post).report
         return said
 
     def _solids(self, mesh: craze.Mesh) -> np.ndarray:
@@ -260,17 +261,15 @@ class Runs:
         self._kept[run] = new
         while len(self._kept) > KEPT:
             self._kept.popitem(last=False)
-        assert new.result is not None
-        report = new.result.report
-        return {"report": report, **self.open(run, post, out, progress)}
+        return self.open(run, post, out, progress)
 
     def open(
         self, run: str, post: dict[str, Any], out: str, progress: Callable[..., None]
     ) -> dict[str, Any]:
-        """Writes the opened mesh to the file `out` and says how it is open, `post` of its recipe;
+        """Writes the opened mesh to the file `out` and gives the `report` of the run so opened;
         {"lost": true} where the run is not kept."""
         made = self._made(run, out, lambda kept: kept.opened(post), post)
-        return made if made.get("lost") else {**made, "post": self._kept[run].post(post)}
+        return made if made.get("lost") else {**made, "report": self._kept[run].report(post)}
 
     def grow(
         self, run: str, times: list[float], post: dict[str, Any], out: str,
@@ -280,7 +279,7 @@ class Runs:
         made = self._made(
             run, out, lambda kept: {**kept.opened(post), **kept.positions(times, post)}, post
         )
-        return made if made.get("lost") else {**made, "post": self._kept[run].post(post)}
+        return made if made.get("lost") else {**made, "report": self._kept[run].report(post)}
 
     def lines(
         self, run: str, post: dict[str, Any], out: str, progress: Callable[..., None]

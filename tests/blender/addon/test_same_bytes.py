@@ -1,5 +1,6 @@
 """The same mesh and recipe give the same bytes inside Blender and from the command."""
 
+import json
 import os
 import subprocess
 import tempfile
@@ -130,12 +131,14 @@ class SameBytes(unittest.TestCase):
                 self.assertEqual(work.state, "done", work.error)
                 live.finish(thing, work)
                 opened, said = places(thing.data), cracked.post_of(thing)
+                found = numbers(thing)
                 self.assertEqual(thing.craze.run, run)
                 self.assertFalse(np.array_equal(opened, first))
                 bpy.ops.craze.crack()
                 self.assertNotEqual(thing.craze.run, run)
                 np.testing.assert_array_equal(places(thing.data), opened)
                 self.assertEqual(cracked.post_of(thing), said)
+                self.assertEqual(numbers(thing), found)
                 setattr(panel.keys, f"post_{name}", 0.0)
         panel.preset, panel.keys.post_gap, panel.keys.layer_spacing = "mud", 0.1, 0.0
 
@@ -153,6 +156,12 @@ class SameBytes(unittest.TestCase):
         post = panel_recipe.recipe_of(panel, list)["post"]
         self.assertEqual((post["gap"], post["gap_width"]), (0, 0.5))
         panel.keys.post_gap = panel.keys.post_gap_width = 0
+
+
+def numbers(thing):
+    """What its report says of the pattern."""
+    report = json.loads(thing.craze.report)
+    return {name: report[name] for name in ("cracks", "statistics", "output", "recipe")}
 
 
 def write(path, mesh):
