@@ -62,7 +62,7 @@ def _recipe(context: Any) -> dict[str, Any]:
         place = panel_recipe.to_engine(thing.matrix_world, stretch)
     recipe = panel_recipe.recipe_of(panel, place)
     unit = unit_of(context.scene)
-    if unit is not None:
+    if unit is not None and panel.keys.mesh_unit == "none":
         table.put(recipe, "mesh.unit", unit)
     return recipe
 

@@ -11,7 +11,7 @@ from .. import panel_recipe, table
 from ..work import Problem
 
 FROM_PANEL = "PANEL"
-UNITS = {1.0: "m", 0.01: "cm", 0.001: "mm", 0.0254: "in", 0.3048: "ft", 1000.0: "km"}
+UNITS = {1.0: "m", 0.01: "cm", 0.001: "mm", 1e-6: "um", 0.0254: "in", 0.3048: "ft", 1000.0: "km"}
 
 
 def _presets(_: Any, __: Any) -> Any:
@@ -22,8 +22,12 @@ _ITEMS = [(FROM_PANEL, "As in the panel", "")] + [(name, name, "") for name in t
 
 
 def unit_of(scene: Any) -> str | None:
-    """The scene's, as mesh.unit has it; None: one without a name."""
-    return UNITS.get(round(scene.unit_settings.scale_length, 6))
+    """The scene's, as mesh.unit has it; None: one without a name. Without a unit system a unit of
+    Blender's is a metre, as for its exporters, and the unit scale does not count."""
+    units = scene.unit_settings
+    if units.system == "NONE":
+        return "m"
+    return UNITS.get(round(units.scale_length, 6))
 
 
 class WithRecipe:
@@ -73,10 +77,12 @@ class WithRecipe:
         return "" if self.preset == FROM_PANEL else self.preset
 
     def given_settings(self, scene: Any) -> dict[str, Any]:
-        """What is said besides the recipe, and the scene's unit, for lengths such as 4mm."""
+        """What is said besides the recipe, and the scene's unit, for lengths such as 4mm; the
+        panel's own, where it has one, stands."""
         keys: dict[str, Any] = {}
         unit = unit_of(scene)
-        if unit is not None:
+        own = not self.given_preset() and not self.recipe and scene.craze.keys.mesh_unit != "none"
+        if unit is not None and not own:
             keys["mesh.unit"] = unit
         if self.seed >= 0:
             keys["seed"] = self.seed

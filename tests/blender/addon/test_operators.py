@@ -354,6 +354,34 @@ class Operators(Cracking):
             units.scale_length = 1.0
         np.testing.assert_array_equal(third, second)
 
+    def test_without_a_unit_system_a_unit_is_a_metre(self):
+        """The unit scale does not count then, as nowhere in Blender."""
+        units, thing = bpy.context.scene.unit_settings, meshes.link(meshes.grid(12))
+        text = RECIPE.replace("relative_spacing = 0.12", 'spacing = "400mm"')
+        wanted = places(self.crack(thing, recipe=text).data)
+        units.system, units.scale_length = "NONE", 0.5
+        try:
+            found = places(self.crack(thing, recipe=text).data)
+        finally:
+            units.system, units.scale_length = "METRIC", 1.0
+        np.testing.assert_array_equal(found, wanted)
+
+    def test_the_panels_own_unit_stands(self):
+        panel, thing = bpy.context.scene.craze, meshes.link(meshes.grid(12))
+        panel.preset, panel.keys.layer_spacing = "mud", 0.4
+        panel.keys.mesh_edge = "0.2"
+        wanted = places(self.crack(thing, recipe="").data)
+        panel.keys.mesh_edge, panel.keys.mesh_unit = "200mm", "mm"
+        try:
+            meshes.activate(thing)
+            with self.assertRaisesRegex(RuntimeError, "mesh.edge"):
+                bpy.ops.craze.crack()
+            panel.keys.mesh_unit = "none"
+            np.testing.assert_array_equal(places(self.crack(thing, recipe="").data), wanted)
+        finally:
+            panel.keys.mesh_edge, panel.keys.layer_spacing = "auto", 0.0
+            panel.keys.mesh_unit = "none"
+
     def test_only_some_materials_crack(self):
         thing = meshes.link(meshes.grid(24))
         for name in ("glass", "paint"):
