@@ -8,10 +8,10 @@ from typing import Any
 import bpy
 import numpy as np
 
-from . import mesh_in, mesh_out
+from . import changes, mesh_in, mesh_out
 from .runs import POST, Made, Order
 from .work import Problem, Steps
-from .world import hide, link_beside
+from .world import hide, link, link_beside, unused
 
 
 def is_cracked(thing: Any) -> bool:
@@ -26,17 +26,37 @@ def new_object(context: Any, scene: Any, thing: Any, made: Made, order: Order) -
     """A copy of an object that has the cracked mesh, beside it in its collections, active; the
     object itself, of `scene`, is hidden."""
     new = thing.copy()
-    new.name = f"{thing.name} cracked"
+    new.name = unused(f"{thing.name} cracked")
     adopt(new, made, order)
     link_beside(context, scene, new, thing)
     hide(thing)
     return new
 
 
+def beside(scene: Any, thing: Any) -> Any:
+    """A copy of an object that a user changed meanwhile, to have what was made of it; the object is
+    left as it is."""
+    new = thing.copy()
+    if not is_cracked(thing):
+        new.name = unused(f"{thing.name} cracked")
+    link(scene, new, thing)
+    return new
+
+
+def left(thing: Any, new: Any) -> str:
+    """What a user is told then."""
+    return f"{thing.name} was changed by hand and stays; the cracks are in {new.name}"
+
+
+def is_busy(thing: Any) -> bool:
+    """Whether a mode of its own holds the object's mesh."""
+    return thing.mode in {"EDIT", "SCULPT"}
+
+
 def free(thing: Any) -> Steps:
     """Waits until an object can have another mesh."""
-    while thing.mode == "EDIT":
-        yield "waiting until Edit Mode is left"
+    while is_busy(thing):
+        yield f"waiting until {thing.mode.capitalize()} Mode is left"
 
 
 def adopt(thing: Any, made: Made, order: Order) -> None:
@@ -46,6 +66,7 @@ def adopt(thing: Any, made: Made, order: Order) -> None:
         thing.modifiers.remove(modifier)
     replace_mesh(thing, made)
     thing.craze.mesh = order.mesh
+    thing.craze.groups = json.dumps(order.groups)
     thing.craze.stretch = json.dumps(order.stretch.tolist())
 
 
@@ -57,7 +78,7 @@ def replace_mesh(thing: Any, made: Made) -> None:
     thing.data = made.mesh
     if old is not None and old.users == 0:
         bpy.data.meshes.remove(old)
-    thing.craze.run = made.run
+    thing.craze.run, thing.craze.digest, thing.craze.edited = made.run, made.digest, False
     thing.craze.report = json.dumps(made.report)
     thing.craze.recipe = json.dumps(made.report["recipe"])
 
@@ -81,7 +102,7 @@ def order_of(thing: Any) -> Order:
         raise Problem("the object was not cracked by craze, or not in this file")
     return Order(
         mesh=thing.craze.mesh,
-        groups=group_names(thing),
+        groups=json.loads(thing.craze.groups) if thing.craze.groups else group_names(thing),
         stretch=np.array(json.loads(thing.craze.stretch)),
         recipe=json.loads(thing.craze.recipe),
         run=thing.craze.run,

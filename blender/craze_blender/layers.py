@@ -194,6 +194,36 @@ def carry(source: Any, target: Any, of: dict[str, Maps]) -> Iterator[str | None]
     yield from _carry_creases(source, target, of["POINT"])
 
 
+def all_of(mesh: Any) -> Iterator[tuple[str, np.ndarray]]:
+    """Shape, layers and shape keys of a mesh, a name and an array at a step; what is hidden or
+    selected does not count, and weights are not there (weights.py)."""
+    for collection, name, dtype, columns in (
+        ("vertices", "co", np.float32, 3),
+        ("edges", "vertices", np.int32, 2),
+        ("loops", "vertex_index", np.int32, 1),
+        ("polygons", "loop_start", np.int32, 1),
+    ):
+        yield name, get(getattr(mesh, collection), name, dtype, columns)
+    for layer in list(mesh.uv_layers):
+        yield layer.name, get(layer.data, "uv", np.float32, 2)
+    uv_names = {layer.name for layer in mesh.uv_layers}
+    for attribute in list(mesh.attributes):
+        name = attribute.name
+        if name.startswith(".") or name in _SHAPE or name in uv_names:
+            continue
+        if attribute.data_type in _TYPES:
+            property_, dtype, columns, _ = _TYPES[attribute.data_type]
+            values = get(attribute.data, property_, dtype, columns)
+            yield name, values if dtype is not object else np.array(values, np.bytes_)
+    for collection, name, dtype, _, _ in _OWN:
+        items = getattr(mesh, collection)
+        if name != "hide" and len(items) and hasattr(items[0], name):
+            yield name, get(items, name, dtype)
+    if mesh.shape_keys is not None:
+        for block in mesh.shape_keys.key_blocks:
+            yield block.name, get(block.data, "co", np.float32, 3)
+
+
 def _carry_active_colour(source: Any, target: Any) -> None:
     active = source.color_attributes.active_color
     if active is not None and active.name in target.color_attributes:

@@ -10,8 +10,8 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from . import cracked, panel_recipe, process, runs, table
-from .work import Work
+from . import changes, cracked, panel_recipe, process, runs, table
+from .work import Steps, Work
 from .world import remove
 
 PAUSE = 0.15  # seconds without a change before it begins
@@ -26,6 +26,7 @@ class _Wish:
     since = 0.0
     work: Work | None = None
     thing = ""  # the object's name: a reference would not outlive an undo
+    run = ""  # that the work began with
 
 
 def wanted(context: Any, do: str) -> None:
@@ -47,18 +48,50 @@ def wanted(context: Any, do: str) -> None:
 
 
 def start(thing: Any, do: str, scene: Any) -> Work:
-    """The work that brings a cracked object up to the panel; its result is runs.Made."""
+    """The work that brings a cracked object up to the panel; its result is runs.Made, None for an
+    object that a user has changed by hand."""
     engine, order, name = process.engine(), cracked.order_of(thing), thing.data.name
     recipe = panel_recipe.recipe_of(scene.craze, panel_recipe.to_engine(thing.matrix_world, order.stretch))
     if do == "open":
-        return Work(engine, runs.open_again(engine, order, name, _shown_post(recipe)))
+        steps = runs.open_again(engine, order, name, _shown_post(recipe))
+        return Work(engine, _for(thing, steps))
     order.recipe, order.run = recipe, runs.new_run()
-    return Work(engine, runs.crack(engine, order, name))
+    return Work(engine, _for(thing, runs.crack(engine, order, name)))
+
+
+def _for(thing: Any, steps: Steps) -> Steps:
+    """Steps whose result is for an object that nobody has changed by hand, neither before nor
+    meanwhile; None: somebody has."""
+    name, run = thing.name, thing.craze.run
+    if (yield from changes.edited(thing)):
+        return None
+    made = yield from steps
+    ready = False
+    try:
+        while (now := _known(name, run)) is not None and cracked.is_busy(now):
+            yield "waiting until Object Mode"
+        ready = now is None or not (yield from changes.edited(now))
+    finally:
+        if not ready:
+            remove([made.mesh])
+    return made if ready else None
+
+
+def _known(name: str, run: str) -> Any:
+    """The object that had this name and run, or another name since; None: it is gone, or has another
+    run by an undo, for one."""
+    thing = bpy.data.objects.get(name)
+    if thing is not None and thing.craze.run == run:
+        return thing
+    return next((o for o in bpy.data.objects if o.craze.run == run), None)
 
 
 def finish(thing: Any, work: Work) -> None:
     """Gives the object what came of it."""
-    cracked.replace_mesh(thing, work.result)
+    if work.result is None:
+        thing.craze.edited = True
+    else:
+        cracked.replace_mesh(thing, work.result)
 
 
 def _shown_post(recipe: dict[str, Any]) -> dict[str, Any]:
@@ -82,20 +115,18 @@ def _tick() -> float | None:
         if not cracked.is_cracked(thing):
             _Wish.do = None
             return None
-        if thing.mode == "EDIT":
+        if cracked.is_busy(thing):
             return INTERVAL  # as long as it is, it keeps its mesh
         pause = 0.0 if _Wish.do == "open" else PAUSE
         if time.monotonic() - _Wish.since >= pause:
-            _Wish.work = start(thing, _Wish.do, bpy.context.scene)
+            _Wish.work, _Wish.run = start(thing, _Wish.do, bpy.context.scene), thing.craze.run
             _Wish.do = None
         return INTERVAL
     if work.advance(SLICE):
-        thing = bpy.data.objects.get(_Wish.thing)
-        if work.state == "done" and thing is not None and thing.mode == "EDIT":
-            return INTERVAL
+        thing = _known(_Wish.thing, _Wish.run)
         _Wish.work = None
         if work.state == "done" and thing is None:
-            remove([work.result.mesh])
+            remove([work.result.mesh] if work.result is not None else [])
         elif work.state == "done":
             finish(thing, work)
             with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):

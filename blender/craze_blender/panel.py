@@ -91,6 +91,10 @@ class CRAZE_PT_main(_Panel, bpy.types.Panel):
         row.operator("craze.crack", icon="MOD_EXPLODE")
         if cracked.is_cracked(context.active_object):
             layout.prop(panel, "live")
+            if context.active_object.craze.edited:
+                column = view.column()
+                column.label(text="Changed by hand:", icon="INFO")
+                column.label(text="Crack makes a new object")
 
 
 class CRAZE_PT_where(_Panel, bpy.types.Panel):

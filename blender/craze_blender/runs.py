@@ -10,9 +10,10 @@ from typing import Any
 import bpy
 import numpy as np
 
-from . import mesh_in, mesh_out, table, weights
+from . import changes, mesh_in, mesh_out, table, weights
 from .process import Engine, arrays_in
 from .work import Problem, Steps, asked, last
+from .world import remove
 
 # What an opening takes; other keys crack anew.
 POST = tuple(row["name"] for row in table.single() if row["section"] == "post")
@@ -44,6 +45,7 @@ class Made:
     mass."""
 
     mesh: Any
+    digest: str  # of the mesh (changes.py)
     run: str
     report: dict[str, Any]
     warnings: list[str]
@@ -147,7 +149,13 @@ def _build(order: Order, name: str, read: list[np.ndarray], reply: dict[str, Any
     mesh, lost = yield from last(mesh_out.build(order.mesh, read, order.groups, name, arrays))
     if lost:
         warnings.append("not carried over: " + ", ".join(lost))
-    return Made(mesh, order.run, reply["report"], warnings, grown, solids)
+    digest = ""
+    try:
+        digest = yield from changes.digest(mesh, len(order.groups))
+    finally:
+        if not digest:
+            remove([mesh])
+    return Made(mesh, digest, order.run, reply["report"], warnings, grown, solids)
 
 
 def _named_by(

@@ -183,6 +183,11 @@ class CrazeObject(bpy.types.PropertyGroup):
     )
     recipe: bpy.props.StringProperty(description="The whole recipe, JSON")
     run: bpy.props.StringProperty(description="By which the engine knows the run")
+    groups: bpy.props.StringProperty(description="Names of that mesh's vertex groups, JSON")
+    digest: bpy.props.StringProperty(description="Of the mesh that was made (changes.py)")
+    edited: bpy.props.BoolProperty(
+        description="Somebody changed what was made: it does not follow the sliders"
+    )
     stretch: bpy.props.StringProperty(
         description="From the object's axes to the shape that was cracked, 3 × 3, JSON"
     )

@@ -8,6 +8,7 @@ import bpy
 from mathutils import Matrix
 
 NEARLY = 1e-5  # of the largest number of a matrix
+LONGEST = 63  # bytes of a name
 
 
 def placed(matrix: Any) -> tuple[Any, Any]:
@@ -22,14 +23,36 @@ def placed(matrix: Any) -> tuple[Any, Any]:
     return plain, plain.inverted_safe() @ matrix
 
 
-def link_beside(context: Any, scene: Any, new: Any, thing: Any) -> None:
+def unused(name: str) -> str:
+    """A name that no object has: Blender would rename the one that has it."""
+    found, count = name, 0
+    while _cut(found) in bpy.data.objects:
+        count += 1
+        end = f".{count:03}"
+        found = _cut(name, LONGEST - len(end)) + end
+    return _cut(found)
+
+
+def _cut(name: str, size: int = LONGEST) -> str:
+    return name.encode()[:size].decode(errors="ignore")
+
+
+def link(scene: Any, new: Any, thing: Any) -> None:
     """Links an object where another one is, those collections left out that belong to other files,
-    and to the scene itself where it is in none then; selected alone and active where that is seen."""
+    and to the scene itself where it is in none then."""
     for collection in thing.users_collection:
         if collection.library is None and collection.override_library is None:
             collection.objects.link(new)
     if scene not in new.users_scene:
         scene.collection.objects.link(new)
+
+
+def link_beside(context: Any, scene: Any, new: Any, thing: Any) -> None:
+    """As link(); selected alone and active where that is seen and the user has not gone on to
+    something else."""
+    link(scene, new, thing)
+    if context.mode != "OBJECT" or context.active_object != thing:
+        return
     old = context.selected_objects
     try:
         new.select_set(True)

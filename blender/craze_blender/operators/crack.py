@@ -6,7 +6,7 @@ from typing import Any
 
 import bpy
 
-from .. import cracked, mesh_in, panel_recipe, process, runs
+from .. import changes, cracked, mesh_in, panel_recipe, process, runs
 from ..work import Steps
 from ..world import remove
 from .base import EngineOperator
@@ -56,22 +56,34 @@ class CRAZE_OT_crack(WithRecipe, EngineOperator, bpy.types.Operator):
             order.mesh = mesh_in.snapshot(context, thing)
         in_place = self._in_place(scene.craze)
         meshes = [] if again else [order.mesh]  # to be removed where it does not get ready
+        before = None
+        if in_place and not again:
+            before = changes.Before(thing, order.mesh)
         done = False
         try:
-            made = yield from runs.crack(engine, order, f"{thing.name} cracked")
+            name = thing.data.name if again else f"{thing.name} cracked"
+            made = yield from runs.crack(engine, order, name)
             meshes.append(made.mesh)
-            if again or in_place:
-                yield from cracked.free(thing)
+            yield from cracked.free(thing)
+            target = thing
+            if again and (yield from changes.edited(thing)):
+                target = cracked.beside(scene, thing)
+            elif before is not None and (yield from before.changed(thing)):
+                target = cracked.beside(scene, thing)
             if again:
-                cracked.replace_mesh(thing, made)
+                cracked.replace_mesh(target, made)
             elif in_place:
-                cracked.adopt(thing, made, order)
+                cracked.adopt(target, made, order)
             else:
                 cracked.new_object(context, scene, thing, made, order)
             done = True
         finally:
+            if before is not None:
+                remove(before.kept())
             if not done:
                 remove(meshes)
+        if target is not thing:
+            self.report({"WARNING"}, f"craze: {cracked.left(thing, target)}")
         for warning in dict.fromkeys(made.warnings + made.report["warnings"]):
             self.report({"WARNING"}, f"craze: {warning}")
         found = made.report["cracks"]

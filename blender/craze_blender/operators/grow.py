@@ -9,7 +9,7 @@ from typing import Any, Iterator
 import bpy
 import numpy as np
 
-from .. import cracked, growth_nodes, layers, process, runs, settings, table
+from .. import changes, cracked, growth_nodes, layers, process, runs, settings, table
 from ..weights import own_action
 from ..work import Problem, Steps
 from ..world import remove
@@ -61,15 +61,22 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
         try:
             if method == "KEYS":
                 yield from _key(made, times, start, frames)
+            else:
+                _opening(made)
+            made.digest = yield from changes.digest(made.mesh, len(order.groups))
             yield from cracked.free(thing)
-            cracked.replace_mesh(thing, made)
+            target = thing
+            if (yield from changes.edited(thing)):
+                target = cracked.beside(context.scene, thing)
+                self.report({"WARNING"}, f"craze: {cracked.left(thing, target)}")
+            cracked.replace_mesh(target, made)
             done = True
         finally:
             if not done:
                 remove([made.mesh])
         if method == "KEYS":
             return f"{stages} stages in {frames} frames"
-        _slide(thing, made.grown[0], start, frames)
+        _slide(target, start, frames)
         return f"{frames} frames"
 
 
@@ -99,12 +106,16 @@ def _key(made: runs.Made, times: list[float], start: int, frames: int) -> Iterat
         remove([double])
 
 
-def _slide(thing: Any, shut: np.ndarray, start: int, frames: int) -> None:
-    """The modifier, its slider keyed from 0 to 1; before those that the object has."""
-    co = layers.get(thing.data.vertices, "co", np.float32, 3)
+def _opening(made: runs.Made) -> None:
+    """How far each vertex has come from where it was without cracks, as an attribute."""
+    shut, co = made.grown[0], layers.get(made.mesh.vertices, "co", np.float32, 3)
     opening = np.zeros_like(co)
     opening[: len(shut)] = co[: len(shut)] - shut
-    layers.set_attribute(thing.data, growth_nodes.MOVE, "POINT", opening)
+    layers.set_attribute(made.mesh, growth_nodes.MOVE, "POINT", opening)
+
+
+def _slide(thing: Any, start: int, frames: int) -> None:
+    """The modifier, its slider keyed from 0 to 1; before those that the object has."""
     modifier = thing.modifiers.get(growth_nodes.GROUP)
     if modifier is None:
         modifier = thing.modifiers.new(growth_nodes.GROUP, "NODES")

@@ -1,0 +1,268 @@
+"""What a user does to an object while it cracks, or to a cracked one, is not lost."""
+
+import bmesh
+import bpy
+import meshes
+from cracking import Cracking, places
+
+from craze_blender import changes, live, process
+from craze_blender.operators.crack import CRAZE_OT_crack
+from craze_blender.work import Work
+
+RECIPE = """
+mesh.edge = "keep"
+material = { criterion = "strength", scatter = 0.15 }
+layer.relative_spacing = 0.2
+evolution.max_load = 2.0
+post = { gap = 0.1, wall = 0.05 }
+"""
+
+
+def steps_to_end(steps):
+    """What a generator returns."""
+    while True:
+        try:
+            next(steps)
+        except StopIteration as e:
+            return e.value
+
+
+def digest(thing):
+    mesh = thing.data.copy()
+    try:
+        return steps_to_end(changes.digest(mesh, len(thing.vertex_groups)))
+    finally:
+        bpy.data.meshes.remove(mesh)
+
+
+def move(thing):
+    thing.data.vertices[0].co.z += 1
+
+
+def weigh(thing):
+    thing.vertex_groups[0].add([3], 0.123, "REPLACE")
+
+
+def unwrap(thing):
+    thing.data.uv_layers[0].data[5].uv.x += 0.25
+
+
+def paint(thing):
+    thing.data.attributes["crack_time"].data[7].value = 5.5
+
+
+def seam(thing):
+    thing.data.edges[2].use_seam = not thing.data.edges[2].use_seam
+
+
+def assign(thing):
+    thing.data.polygons[1].material_index += 1
+
+
+def turn(thing):
+    thing.data.flip_normals()
+
+
+def delete(thing):
+    shape = bmesh.new()
+    shape.from_mesh(thing.data)
+    bmesh.ops.delete(shape, geom=[list(shape.faces)[-1]], context="FACES")
+    shape.to_mesh(thing.data)
+    shape.free()
+
+
+def key(thing):
+    thing.shape_key_add(name="mine", from_mix=False)
+
+
+class Changes(Cracking):
+    recipe = RECIPE
+
+    def thing(self, n=8):
+        thing = meshes.link(meshes.grid(n))
+        thing.vertex_groups.new(name="bone").add(range(9), 0.5, "REPLACE")
+        return thing
+
+    def test_a_digest_tells_what_a_user_can_change(self):
+        thing = self.crack(self.thing())
+        for change in (move, weigh, unwrap, paint, seam, assign, turn, delete, key):
+            with self.subTest(change=change.__name__):
+                before = digest(thing)
+                self.assertEqual(digest(thing), before)
+                change(thing)
+                self.assertNotEqual(digest(thing), before)
+
+    def test_a_look_into_edit_mode_is_no_change(self):
+        for seed in range(6):
+            thing = meshes.link(meshes.grid(8))
+            meshes.dress(thing, seed)
+            new = self.crack(thing)
+            before = digest(new)
+            for mode in ("EDIT", "SCULPT", "WEIGHT_PAINT", "OBJECT"):
+                bpy.ops.object.mode_set(mode=mode)
+            self.assertEqual(digest(new), before, seed)
+            self.assertFalse(steps_to_end(changes.edited(new)))
+
+    def started(self, in_place):
+        """What bpy.ops.craze.crack() does with the active object and another seed, begun."""
+        said = []
+
+        class Said(CRAZE_OT_crack.__mro__[1], CRAZE_OT_crack.__mro__[2]):
+            preset, seed, spacing, recipe = "", 5, 0.0, self.recipe
+            steps, _in_place = CRAZE_OT_crack.steps, lambda *_: in_place
+
+            def report(self, _, sentence):
+                said.extend([sentence] if "by hand" in sentence else [])
+
+        work = Work(process.engine(), Said().steps(bpy.context))
+        work.advance(0.0)
+        work.said = said
+        return work
+
+    def test_an_object_that_is_changed_while_it_cracks_in_place_keeps_its_change(self):
+        for change in (move, weigh, unwrap, key):
+            with self.subTest(change=change.__name__):
+                meshes.empty()
+                thing = self.thing()
+                before = len(bpy.data.meshes)
+                work = self.started(in_place=True)
+                change(thing)
+                mine, shape = digest(thing), places(thing.data)
+                work.finish()
+                self.assertEqual(work.state, "done", work.error)
+                self.assertEqual(digest(thing), mine)
+                self.assertFalse(thing.hide_get())
+                new = bpy.data.objects["thing cracked"]
+                self.assertGreater(len(new.data.vertices), len(shape))
+                self.assertEqual(work.said, ["craze: thing was changed by hand and stays; "
+                                             "the cracks are in thing cracked"])  # fmt: skip
+                self.assertEqual(len(bpy.data.meshes), before + 2)
+                self.assertIs(bpy.context.active_object, thing)
+
+    def test_so_does_one_with_modifiers(self):
+        def subdivide(thing):
+            thing.modifiers["mine"].levels = 2
+
+        def another(thing):
+            thing.modifiers.new("bend", "SIMPLE_DEFORM")
+
+        for change in (move, subdivide, another, None):
+            with self.subTest(change=change and change.__name__):
+                meshes.empty()
+                thing = self.thing()
+                thing.modifiers.new("mine", "SUBSURF").levels = 1
+                work = self.started(in_place=True)
+                if change:
+                    change(thing)
+                mine, names = digest(thing), [m.name for m in thing.modifiers]
+                work.finish()
+                self.assertEqual(work.state, "done", work.error)
+                if change:
+                    self.assertEqual(digest(thing), mine)
+                    self.assertEqual([m.name for m in thing.modifiers], names)
+                    self.assertEqual([*bpy.data.objects["thing cracked"].modifiers], [])
+                else:
+                    self.assertNotEqual(digest(thing), mine)
+                    self.assertEqual(len(bpy.data.objects), 1)
+                    self.assertEqual(work.said, [])
+                self.assertEqual(len(bpy.data.meshes), 3)
+
+    def test_a_cracked_object_that_was_changed_stays_when_it_is_cracked_anew_or_grows(self):
+        for method in ("crack", "NODES", "KEYS"):
+            for change in (move, weigh, unwrap, seam, delete):
+                with self.subTest(method=method, change=change.__name__):
+                    meshes.empty()
+                    thing = self.crack(self.thing())
+                    change(thing)
+                    mine = digest(thing)
+                    if method == "crack":
+                        bpy.ops.craze.crack(recipe=RECIPE, seed=4)
+                    else:
+                        bpy.ops.craze.grow(frames=4, method=method)
+                    self.assertEqual(digest(thing), mine)
+                    new = bpy.data.objects["thing cracked.001"]
+                    self.assertNotEqual(digest(new), mine)
+                    self.assertFalse(steps_to_end(changes.edited(new)))
+
+    def test_the_sliders_leave_a_changed_one_alone_until_the_change_is_taken_back(self):
+        thing = self.crack(self.thing())
+        seam(thing)
+        mine = digest(thing)
+        for do in ("open", "crack"):
+            self.assertFalse(thing.craze.edited and do == "open")
+            work = live.start(thing, do, bpy.context.scene)
+            work.finish()
+            live.finish(thing, work)
+            self.assertEqual(work.state, "done", work.error)
+            self.assertEqual(digest(thing), mine)
+            self.assertTrue(thing.craze.edited)
+        seam(thing)
+        work = live.start(thing, "crack", bpy.context.scene)
+        work.finish()
+        live.finish(thing, work)
+        self.assertNotEqual(digest(thing), mine)
+        self.assertFalse(thing.craze.edited)
+
+    def test_what_is_changed_while_the_sliders_are_followed_stays(self):
+        thing = self.crack(self.thing())
+        before = len(bpy.data.meshes)
+        work = live.start(thing, "crack", bpy.context.scene)
+        while work.request is None:
+            work.advance(0.0)
+        move(thing)
+        mine = digest(thing)
+        work.finish()
+        live.finish(thing, work)
+        self.assertEqual(digest(thing), mine)
+        self.assertEqual(len(bpy.data.meshes), before)
+
+    def test_grown_and_baked_ones_are_not_changed_by_hand(self):
+        for grow in ({"method": "KEYS"}, {"method": "NODES"}):
+            thing = self.crack(self.thing())
+            bpy.ops.craze.grow(frames=4, **grow)
+            bpy.ops.craze.bake(size=16)
+            self.assertFalse(steps_to_end(changes.edited(thing)), grow)
+
+    def test_an_object_that_has_the_name_keeps_it(self):
+        for name in ("thing", "x" * 63, "ы" * 31):
+            thing = self.thing()
+            thing.name = name
+            first = self.crack(thing)
+            name = first.name
+            self.assertTrue(name.startswith(thing.name[:20]))
+            second = self.crack(thing)
+            self.assertEqual(first.name, name)
+            self.assertNotEqual(second.name, name)
+
+    def test_groups_that_were_removed_since_do_not_shift_the_others(self):
+        thing = self.thing()
+        thing.vertex_groups.new(name="second").add(range(20, 30), 1.0, "REPLACE")
+        new = self.crack(thing)
+        first = digest(new)
+        new.vertex_groups.remove(new.vertex_groups["bone"])
+        bpy.ops.craze.crack(recipe=RECIPE)
+        again = bpy.data.objects["thing cracked.001"]
+        self.assertEqual([g.name for g in again.vertex_groups], ["bone", "second"])
+        self.assertEqual(digest(again), first)
+
+    def test_a_work_that_is_stopped_at_any_step_leaves_no_mesh(self):
+        for in_place, modifier in ((True, False), (True, True), (False, False)):
+            meshes.empty()
+            thing = self.thing()
+            if modifier:
+                thing.modifiers.new("mine", "SUBSURF").levels = 1
+            before, count = len(bpy.data.meshes), 1
+            while True:
+                work = self.started(in_place)
+                for _ in range(count):
+                    while not work.advance(0.0) and work.request is not None:
+                        if work.request.state != "running":
+                            break
+                if work.state != "running":
+                    break
+                work.cancel()
+                self.assertEqual(len(bpy.data.meshes), before, count)
+                count += 4
+            self.assertGreater(count, 10)
+
+
