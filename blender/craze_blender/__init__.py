@@ -15,7 +15,7 @@ bl_info = {
 
 import bpy
 
-from . import live, operators, panel, preferences, process, settings
+from . import live, operators, panel, preferences, process, settings, work
 
 
 def register() -> None:
@@ -25,9 +25,11 @@ def register() -> None:
     for cls in panel.CLASSES:
         bpy.utils.register_class(cls)
     live.register()
+    work.register()
 
 
 def unregister() -> None:
+    work.unregister()
     live.unregister()
     process.stop()
     for cls in reversed(panel.CLASSES):

@@ -6,11 +6,10 @@ import zlib
 from typing import Any
 
 import bpy
-import numpy as np
 
 from . import layers, weights
 from .mesh_in import modifiers_to_apply
-from .work import Steps
+from .work import Steps, holding, last
 from .world import remove
 
 
@@ -18,12 +17,11 @@ def digest(mesh: Any, groups: int) -> Steps:
     """A text that is another one when shape, layers, shape keys, or weights of `groups` vertex
     groups change; of a mesh that nobody else has, in steps. Other versions of Blender give others."""
     found = 0
-    for name, values in layers.all_of(mesh):
-        found = zlib.crc32(values.tobytes(), zlib.crc32(name.encode(), found))
-        yield
-    read: list[np.ndarray] = []
-    for read in weights.read_groups(mesh, groups):  # type: ignore[assignment]
-        yield
+    with holding(mesh):
+        for name, values in layers.all_of(mesh):
+            found = zlib.crc32(values.tobytes(), zlib.crc32(name.encode(), found))
+            yield
+        read = yield from last(weights.read_groups(mesh, groups))
     for group in read:
         found = zlib.crc32(group.tobytes(), found)
     return f"{_version()} {found:08x}"

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import layers, weights
 from .nodes import new_material
+from .work import holding
 from .world import remove
 
 WALL = "crack_wall"  # as the engine calls the material of side walls
@@ -80,7 +81,7 @@ def build(
     could not be carried."""
     of = layers.maps(arrays)
     walls = arrays["wall"]
-    with _new_mesh(name) as mesh:
+    with _new_mesh(name) as mesh, holding(source, mesh):
         yield from _fill(mesh, arrays)
         _materials(source, mesh, walls)
         lost = []
@@ -118,7 +119,7 @@ def copy_part(
             ("FACE", "face_of"),
         )
     }
-    with _new_mesh(name) as mesh:
+    with _new_mesh(name) as mesh, holding(source, mesh):
         yield from _fill(mesh, arrays)
         for material in source.materials:
             mesh.materials.append(material)
@@ -139,10 +140,11 @@ def _finish(
     yield from _normals(source, mesh, of["CORNER"], walls)
     double = bpy.data.objects.new(mesh.name, mesh)  # groups and keys are made through an object
     try:
-        for group, values in zip(names, groups):
-            mixed = yield from weights.mixed_group(values, of["POINT"])
-            yield from weights.write_group(double, group, mixed)
-        yield from weights.carry_keys(source, double, of["POINT"], co)
+        with holding(double):
+            for group, values in zip(names, groups):
+                mixed = yield from weights.mixed_group(values, of["POINT"])
+                yield from weights.write_group(double, group, mixed)
+            yield from weights.carry_keys(source, double, of["POINT"], co)
     finally:
         remove([double])
 

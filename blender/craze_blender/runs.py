@@ -12,7 +12,7 @@ import numpy as np
 
 from . import changes, mesh_in, mesh_out, table, weights
 from .process import Engine, arrays_in
-from .work import Problem, Steps, asked, last
+from .work import Problem, Steps, asked, holding, last
 from .world import remove
 
 # What an opening takes; other keys crack anew.
@@ -58,9 +58,10 @@ def crack(engine: Engine, order: Order, name: str) -> Steps:
     if not len(order.mesh.polygons):
         raise Problem("the object has no faces to crack")
     arrays: dict[str, np.ndarray] = {}
-    for key, values in mesh_in.arrays_of(order.mesh, order.stretch):
-        arrays[key] = values
-        yield
+    with holding(order.mesh):
+        for key, values in mesh_in.arrays_of(order.mesh, order.stretch):
+            arrays[key] = values
+            yield
     read = yield from _groups(order)
     names = _named_by(order, arrays, dict(zip(order.groups, read)))
     yield
@@ -138,7 +139,8 @@ def _of_run(engine: Engine, order: Order, do: str, **fields: Any) -> Steps:
 
 
 def _groups(order: Order) -> Steps:
-    return (yield from last(weights.read_groups(order.mesh, len(order.groups))))
+    with holding(order.mesh):
+        return (yield from last(weights.read_groups(order.mesh, len(order.groups))))
 
 
 def _build(order: Order, name: str, read: list[np.ndarray], reply: dict[str, Any]) -> Steps:

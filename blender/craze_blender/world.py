@@ -7,6 +7,8 @@ from typing import Any, Iterable
 import bpy
 from mathutils import Matrix
 
+from .work import is_there
+
 NEARLY = 1e-5  # of the largest number of a matrix
 LONGEST = 63  # bytes of a name
 
@@ -75,11 +77,4 @@ def hide(thing: Any) -> None:
 def remove(things: Iterable[Any]) -> None:
     """Removes what is still there of data-blocks that did not get ready: an undo, another file or a
     user may have removed some before, and Blender ends where it is told to remove one twice."""
-    bpy.data.batch_remove([thing for thing in things if _is_there(thing)])
-
-
-def _is_there(thing: Any) -> bool:
-    try:
-        return bool(thing.name)
-    except ReferenceError:
-        return False
+    bpy.data.batch_remove([thing for thing in things if is_there(thing)])

@@ -10,7 +10,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from .. import cracked, layers, mesh_out, process, runs, weights
-from ..work import Problem, Steps, last
+from ..work import Problem, Steps, holding, last
 from ..world import hide, placed, remove
 from .base import OfCracked
 
@@ -95,7 +95,8 @@ def _solid(thing: Any, thickness: float, core: bool) -> Steps:
 def _parts(thing: Any, mesh: Any) -> Steps:
     """A mesh per fragment of a mesh, in their order, with all layers of it."""
     names = cracked.group_names(thing)
-    groups = yield from last(weights.read_groups(mesh, len(thing.vertex_groups)))
+    with holding(mesh):
+        groups = yield from last(weights.read_groups(mesh, len(thing.vertex_groups)))
     fragment = layers.get(mesh.attributes["fragment"].data, "value", np.int32)
     yield
     shape = _Shape(mesh)

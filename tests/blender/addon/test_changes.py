@@ -1,11 +1,13 @@
 """What a user does to an object while it cracks, or to a cracked one, is not lost."""
 
+import collections
+
 import bmesh
 import bpy
 import meshes
 from cracking import Cracking, places
 
-from craze_blender import changes, live, process
+from craze_blender import changes, live, process, work
 from craze_blender.operators.crack import CRAZE_OT_crack
 from craze_blender.work import Work
 
@@ -75,6 +77,11 @@ def key(thing):
     thing.shape_key_add(name="mine", from_mix=False)
 
 
+def purge():
+    for mesh in [m for m in bpy.data.meshes if m.users == 0]:
+        bpy.data.meshes.remove(mesh)
+
+
 class Changes(Cracking):
     recipe = RECIPE
 
@@ -114,10 +121,10 @@ class Changes(Cracking):
             def report(self, _, sentence):
                 said.extend([sentence] if "by hand" in sentence else [])
 
-        work = Work(process.engine(), Said().steps(bpy.context))
-        work.advance(0.0)
-        work.said = said
-        return work
+        going = Work(process.engine(), Said().steps(bpy.context))
+        going.advance(0.0)
+        going.said = said
+        return going
 
     def test_an_object_that_is_changed_while_it_cracks_in_place_keeps_its_change(self):
         for change in (move, weigh, unwrap, key):
@@ -125,16 +132,16 @@ class Changes(Cracking):
                 meshes.empty()
                 thing = self.thing()
                 before = len(bpy.data.meshes)
-                work = self.started(in_place=True)
+                going = self.started(in_place=True)
                 change(thing)
                 mine, shape = digest(thing), places(thing.data)
-                work.finish()
-                self.assertEqual(work.state, "done", work.error)
+                going.finish()
+                self.assertEqual(going.state, "done", going.error)
                 self.assertEqual(digest(thing), mine)
                 self.assertFalse(thing.hide_get())
                 new = bpy.data.objects["thing cracked"]
                 self.assertGreater(len(new.data.vertices), len(shape))
-                self.assertEqual(work.said, ["craze: thing was changed by hand and stays; "
+                self.assertEqual(going.said, ["craze: thing was changed by hand and stays; "
                                              "the cracks are in thing cracked"])  # fmt: skip
                 self.assertEqual(len(bpy.data.meshes), before + 2)
                 self.assertIs(bpy.context.active_object, thing)
@@ -151,12 +158,12 @@ class Changes(Cracking):
                 meshes.empty()
                 thing = self.thing()
                 thing.modifiers.new("mine", "SUBSURF").levels = 1
-                work = self.started(in_place=True)
+                going = self.started(in_place=True)
                 if change:
                     change(thing)
                 mine, names = digest(thing), [m.name for m in thing.modifiers]
-                work.finish()
-                self.assertEqual(work.state, "done", work.error)
+                going.finish()
+                self.assertEqual(going.state, "done", going.error)
                 if change:
                     self.assertEqual(digest(thing), mine)
                     self.assertEqual([m.name for m in thing.modifiers], names)
@@ -164,7 +171,7 @@ class Changes(Cracking):
                 else:
                     self.assertNotEqual(digest(thing), mine)
                     self.assertEqual(len(bpy.data.objects), 1)
-                    self.assertEqual(work.said, [])
+                    self.assertEqual(going.said, [])
                 self.assertEqual(len(bpy.data.meshes), 3)
 
     def test_a_cracked_object_that_was_changed_stays_when_it_is_cracked_anew_or_grows(self):
@@ -190,29 +197,29 @@ class Changes(Cracking):
         mine = digest(thing)
         for do in ("open", "crack"):
             self.assertFalse(thing.craze.edited and do == "open")
-            work = live.start(thing, do, bpy.context.scene)
-            work.finish()
-            live.finish(thing, work)
-            self.assertEqual(work.state, "done", work.error)
+            going = live.start(thing, do, bpy.context.scene)
+            going.finish()
+            live.finish(thing, going)
+            self.assertEqual(going.state, "done", going.error)
             self.assertEqual(digest(thing), mine)
             self.assertTrue(thing.craze.edited)
         seam(thing)
-        work = live.start(thing, "crack", bpy.context.scene)
-        work.finish()
-        live.finish(thing, work)
+        going = live.start(thing, "crack", bpy.context.scene)
+        going.finish()
+        live.finish(thing, going)
         self.assertNotEqual(digest(thing), mine)
         self.assertFalse(thing.craze.edited)
 
     def test_what_is_changed_while_the_sliders_are_followed_stays(self):
         thing = self.crack(self.thing())
         before = len(bpy.data.meshes)
-        work = live.start(thing, "crack", bpy.context.scene)
-        while work.request is None:
-            work.advance(0.0)
+        going = live.start(thing, "crack", bpy.context.scene)
+        while going.request is None:
+            going.advance(0.0)
         move(thing)
         mine = digest(thing)
-        work.finish()
-        live.finish(thing, work)
+        going.finish()
+        live.finish(thing, going)
         self.assertEqual(digest(thing), mine)
         self.assertEqual(len(bpy.data.meshes), before)
 
@@ -253,16 +260,45 @@ class Changes(Cracking):
                 thing.modifiers.new("mine", "SUBSURF").levels = 1
             before, count = len(bpy.data.meshes), 1
             while True:
-                work = self.started(in_place)
+                going = self.started(in_place)
                 for _ in range(count):
-                    while not work.advance(0.0) and work.request is not None:
-                        if work.request.state != "running":
+                    while not going.advance(0.0) and going.request is not None:
+                        if going.request.state != "running":
                             break
-                if work.state != "running":
+                if going.state != "running":
                     break
-                work.cancel()
+                going.cancel()
                 self.assertEqual(len(bpy.data.meshes), before, count)
                 count += 4
             self.assertGreater(count, 10)
 
 
+
+    def test_what_is_taken_away_between_two_steps_is_one_sentence(self):
+        """Purged, as an undo does it too: parts of data-blocks that are gone are not touched."""
+        ended = self.interrupted(purge, range(1, 200, 7))
+        self.assertEqual(ended.keys(), {"", work.GONE})
+        self.assertGreater(ended[work.GONE], 10)
+
+    def test_an_undo_while_a_mesh_is_made_ends_it(self):
+        """That mesh may have gone back to what it was half made."""
+        ended = self.interrupted(lambda: work._undo(None), range(1, 200, 7))
+        self.assertEqual(ended.keys(), {"", work.GONE})
+        self.assertGreater(ended[work.GONE], 10)
+
+    def interrupted(self, by, steps):
+        """How often a run ends with which error, where something happens after so many steps."""
+        ended = collections.Counter()
+        for step in steps:
+            meshes.empty()
+            thing = self.thing()
+            meshes.dress(thing, 3)
+            going, done = self.started(in_place=False), 0
+            while not going.advance(0.0):
+                if going.request is None:
+                    done += 1
+                    if done == step:
+                        by()
+            ended[going.error] += 1
+            self.assertEqual(len(bpy.data.meshes), 1 if going.error else 3)
+        return ended
