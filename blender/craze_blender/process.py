@@ -119,7 +119,7 @@ class Engine:
         # Where NumPy is, the Python that starts finds it too.
         paths = [str(Path(np.__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
         self._process = subprocess.Popen(
-            [interpreter(), "-B", str(HERE / "worker"), self._package],
+            [interpreter(), "-B", str(HERE / "worker"), self.folder, self._package],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,

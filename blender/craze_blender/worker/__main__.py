@@ -1,9 +1,9 @@
-"""The engine's process: python WORKER_FOLDER [FOLDER_OF_THE_PACKAGE_CRAZE].
+"""The engine's process: python WORKER_FOLDER FOLDER_OF_FILES [FOLDER_OF_THE_PACKAGE_CRAZE].
 
 Reads a request a line on standard input, {"id": 1, "do": "crack", …}, and writes replies a line:
 {"id": 1, "progress": [phase, fraction, cracks, load]}, then one {"id": 1, "done": {…}},
 {"id": 1, "error": "one sentence"} or {"id": 1, "cancelled": true}. {"cancel": 1} stops a request.
-It ends with its input.
+It ends with its input, and removes the folder of files then: Blender is gone.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import os
 import queue
+import shutil
 import sys
 import threading
 from typing import Any
@@ -35,7 +36,8 @@ class Requests:
                 self.stopped.add(request["cancel"])
             else:
                 self.waiting.put(request)
-        os._exit(0)  # Blender is gone: nobody waits for what is being done
+        shutil.rmtree(sys.argv[1], ignore_errors=True)
+        os._exit(0)  # nobody waits for what is being done
 
 
 def serve(replies: Any) -> None:
@@ -81,7 +83,7 @@ def serve(replies: Any) -> None:
 if __name__ == "__main__":
     if hasattr(os, "nice"):
         os.nice(5)  # it uses all cores; Blender's windows come first
-    sys.path[:0] = sys.argv[1:2]
+    sys.path[:0] = sys.argv[2:3]
     # Replies have standard output for themselves; what else is printed goes to standard error.
     own = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)

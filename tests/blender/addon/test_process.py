@@ -242,6 +242,18 @@ class Process(unittest.TestCase):
         # An array of the mesh is 5 kB; one left in each run would be 0.4 MB.
         self.assertLess(memory() - held, 400_000)
 
+    def test_it_ends_and_leaves_no_file_where_blender_dies_at_work(self):
+        thing = meshes.link(meshes.grid(150))
+        going = work(thing, HEAVY)
+        until_it_cracks(self, going)
+        alone, folder = process.engine()._process, process.engine().folder
+        begin = time.monotonic()
+        alone.stdin.close()  # as the system does it
+        self.assertEqual(alone.wait(10), 0)
+        self.assertLess(time.monotonic() - begin, 5.0)
+        self.assertFalse(os.path.exists(folder))
+        process.stop()
+
     def test_it_ends_with_blender(self):
         meshes.link(meshes.grid(6))
         self.crack(recipe=LIGHT)
