@@ -10,13 +10,14 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from . import changes, cracked, panel_recipe, process, runs, table
+from . import changes, cracked, panel_recipe, process, progress, runs, table
 from .work import Steps, Work
 from .world import remove
 
 PAUSE = 0.15  # seconds without a change before it begins
 INTERVAL = 0.02
 SLICE = 0.012
+SHOWN = 0.2
 
 
 class _Wish:
@@ -27,6 +28,7 @@ class _Wish:
     work: Work | None = None
     thing = ""  # the object's name: a reference would not outlive an undo
     run = ""  # that the work began with
+    shown = 0.0  # when it was said how far it is
 
 
 def wanted(context: Any, do: str) -> None:
@@ -43,6 +45,8 @@ def wanted(context: Any, do: str) -> None:
     if _Wish.work is not None and _Wish.do == "crack":
         _Wish.work.cancel()
         _Wish.work = None
+    if _Wish.work is None:
+        progress.clear()
     if not bpy.app.timers.is_registered(_tick):
         bpy.app.timers.register(_tick, first_interval=INTERVAL)
 
@@ -119,6 +123,7 @@ def _tick() -> float | None:
             return INTERVAL  # as long as it is, it keeps its mesh
         pause = 0.0 if _Wish.do == "open" else PAUSE
         if time.monotonic() - _Wish.since >= pause:
+            _Wish.shown = time.monotonic()
             _Wish.work, _Wish.run = start(thing, _Wish.do, bpy.context.scene), thing.craze.run
             _Wish.do = None
         return INTERVAL
@@ -129,10 +134,16 @@ def _tick() -> float | None:
             remove([work.result.mesh] if work.result is not None else [])
         elif work.state == "done":
             finish(thing, work)
-            with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
-                bpy.ops.ed.undo_push(message="Craze")
-        elif work.state == "failed":
-            print(f"craze: {work.error}")
+            if work.result is not None:
+                with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+                    bpy.ops.ed.undo_push(message="Craze")
+        if work.state == "failed":
+            progress.fail(work.error)
+        else:
+            progress.clear()
+    elif time.monotonic() - _Wish.shown > SHOWN:
+        _Wish.shown = time.monotonic()
+        progress.say(work)
     return INTERVAL
 
 
@@ -142,6 +153,7 @@ def stop(*_: Any) -> None:
     if _Wish.work is not None:
         _Wish.work.cancel()
     _Wish.work = _Wish.do = None
+    progress.clear()
     if bpy.app.timers.is_registered(_tick):
         bpy.app.timers.unregister(_tick)
 

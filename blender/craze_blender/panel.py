@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import json
+import textwrap
 from typing import Any
 
 import bpy
 
-from . import cracked, table
+from . import cracked, progress, table
 from .operators.stats import summary
 
 WIDE = 240  # logical pixels of a sidebar in which labels beside their fields are not cut off
 NARROW = 180  # and in which labels within their fields are cut off: they are above
+LETTER, ICON = 7, 60  # logical pixels of one, and of an icon with what is beside lines
 OPENING = ("post.gap", "post.gap_width", "post.wall", "post.curl", "post.roughness")
 
 
@@ -24,6 +26,7 @@ class _View:
         layout.use_property_decorate = False
         self.layout = layout
         self.narrow = width < NARROW
+        self.letters = max(int((width - ICON) / LETTER), 10)  # of a line
 
     def column(self) -> Any:
         return self.layout.column(align=True)
@@ -52,6 +55,13 @@ class _View:
         row = layout.split(factor=0.4 if self.wide else 0.45)
         row.label(text=what)
         row.label(text=value)
+
+
+    def words(self, text: str, icon: str) -> None:
+        """A sentence, in as many lines as it takes."""
+        column = self.layout.column(align=True)
+        for i, line in enumerate(textwrap.wrap(text, self.letters)):
+            column.label(text=line, icon="BLANK1" if i else icon)
 
 
 class _Panel:
@@ -89,12 +99,12 @@ class CRAZE_PT_main(_Panel, bpy.types.Panel):
         row = layout.row()
         row.scale_y = 1.5
         row.operator("craze.crack", icon="MOD_EXPLODE")
+        text, failed = progress.shown()
+        view.words(text, "ERROR" if failed else "TIME")
         if cracked.is_cracked(context.active_object):
             layout.prop(panel, "live")
             if context.active_object.craze.edited:
-                column = view.column()
-                column.label(text="Changed by hand:", icon="INFO")
-                column.label(text="Crack makes a new object")
+                view.words("Changed by hand: Crack makes a new object", "INFO")
 
 
 class CRAZE_PT_where(_Panel, bpy.types.Panel):

@@ -95,7 +95,7 @@ class Work:
     def says(self) -> tuple[str, float | None]:
         """What it is at, and how far, 0 … 1 or None."""
         if self.request is None:
-            return self._waits or "Blender", None
+            return self._waits or "working in Blender", None
         phase, fraction, cracks, _ = self.request.progress
         return (f"{phase}, {cracks} cracks" if cracks else phase), fraction
 

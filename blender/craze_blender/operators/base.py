@@ -7,19 +7,22 @@ from typing import Any
 
 import bpy
 
-from .. import process
+from .. import process, progress
 from ..work import Steps, Work
 
 INTERVAL = 0.02  # seconds between looks
 SHOWN = 0.2  # seconds from one state that is shown to the next
 SLICE = 0.012  # seconds of work in Blender at a look
+_AT_WORK: set[tuple[str, str]] = set()  # operators that run, and the objects they are about
 
 
 class EngineOperator:
     """Mixed into bpy.types.Operator. No redo panel: what it changes would run in the main thread."""
 
     bl_options = {"UNDO"}
+    of_object = True  # it is about the active one
     _work: Work
+    _what = ("", "")
     _timer: Any = None
     _shown = 0.0
 
@@ -35,6 +38,14 @@ class EngineOperator:
     def invoke(self, context: Any, _: Any) -> set[str]:
         if bpy.app.background:
             return self.execute(context)
+        name = context.active_object.name if self.of_object else ""
+        if self.of_object and (self.bl_idname, name) in _AT_WORK:  # type: ignore[attr-defined]
+            self.report(  # type: ignore[attr-defined]
+                {"WARNING"}, f"craze: {name} is being worked on already; Esc stops it"
+            )
+            return {"CANCELLED"}
+        self._what = self.bl_idname, name  # type: ignore[attr-defined]
+        _AT_WORK.add(self._what)
         self._work = Work(process.engine(), self.steps(context))
         self._work.advance(0.0)  # of the object that is active now
         manager = context.window_manager
@@ -69,21 +80,16 @@ class EngineOperator:
         return {"CANCELLED"}
 
     def _show(self, context: Any) -> None:
-        """Says how far it is, now and then: each time the window is drawn anew."""
+        """Says how far it is, now and then."""
         if time.monotonic() - self._shown < SHOWN:
             return
         self._shown = time.monotonic()
-        doing, fraction = self._work.says()
-        text = f"craze: {doing}" + ("" if fraction is None else f", {fraction:.0%}")
-        context.workspace.status_text_set(f"{text}   (Esc: stop)")
-        if context.area is not None:
-            context.area.header_text_set(text)
-        context.window_manager.progress_update(100 * (fraction or 0.0))
+        progress.say(self._work, "Esc: stop")
+        context.window_manager.progress_update(100 * (self._work.says()[1] or 0.0))
 
     def _hide(self, context: Any) -> None:
-        context.workspace.status_text_set(None)
-        if context.area is not None:
-            context.area.header_text_set(None)
+        _AT_WORK.discard(self._what)
+        progress.clear()
         context.window_manager.progress_end()
         context.window_manager.event_timer_remove(self._timer)
 

@@ -23,6 +23,7 @@ class CRAZE_OT_texture(WithRecipe, EngineOperator, bpy.types.Operator):
 
     bl_idname = "craze.texture"
     bl_label = "Tileable Material"
+    of_object = False
 
     period: bpy.props.FloatProperty(
         name="Tile",
