@@ -18,6 +18,13 @@ def is_cracked(thing: Any) -> bool:
     return thing is not None and thing.type == "MESH" and thing.craze.mesh is not None
 
 
+def check_own(thing: Any) -> None:
+    """Raises Problem where what is done to an object would be lost with the next reading of the file
+    that it is linked from."""
+    if thing.library is not None or thing.override_library is not None:
+        raise Problem(f"{thing.name} belongs to another file: make it local, or crack it beside")
+
+
 def group_names(thing: Any) -> list[str]:
     return [group.name for group in thing.vertex_groups]
 
@@ -27,6 +34,7 @@ def new_object(context: Any, scene: Any, thing: Any, made: Made, order: Order) -
     object itself, of `scene`, is hidden."""
     new = thing.copy()
     new.name = unused(f"{thing.name} cracked")
+    new.hide_render = False  # it may have been hidden here before
     adopt(new, made, order)
     link_beside(context, scene, new, thing)
     hide(thing)
@@ -67,7 +75,6 @@ def adopt(thing: Any, made: Made, order: Order) -> None:
     replace_mesh(thing, made)
     thing.craze.mesh = order.mesh
     thing.craze.groups = json.dumps(order.groups)
-    thing.craze.stretch = json.dumps(order.stretch.tolist())
 
 
 def replace_mesh(thing: Any, made: Made) -> None:
@@ -79,6 +86,7 @@ def replace_mesh(thing: Any, made: Made) -> None:
     if old is not None and old.users == 0:
         bpy.data.meshes.remove(old)
     thing.craze.run, thing.craze.digest, thing.craze.edited = made.run, made.digest, False
+    thing.craze.stretch = json.dumps(made.stretch.tolist())
     thing.craze.report = json.dumps(made.report)
     thing.craze.recipe = json.dumps(made.report["recipe"])
 

@@ -10,8 +10,8 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from . import changes, cracked, panel_recipe, process, progress, runs, table
-from .work import Steps, Work
+from . import changes, cracked, mesh_in, panel_recipe, process, progress, runs, table
+from .work import Problem, Steps, Work
 from .world import remove
 
 PAUSE = 0.15  # seconds without a change before it begins
@@ -53,8 +53,11 @@ def wanted(context: Any, do: str) -> None:
 
 def start(thing: Any, do: str, scene: Any) -> Work:
     """The work that brings a cracked object up to the panel; its result is runs.Made, None for an
-    object that a user has changed by hand."""
+    object that a user has changed by hand. Raises Problem."""
+    cracked.check_own(thing)
     engine, order, name = process.engine(), cracked.order_of(thing), thing.data.name
+    if do == "crack":
+        order.stretch = mesh_in.stretch_of(thing.matrix_world)
     recipe = panel_recipe.recipe_of(scene.craze, panel_recipe.to_engine(thing.matrix_world, order.stretch))
     if do == "open":
         steps = runs.open_again(engine, order, name, _shown_post(recipe))
@@ -123,9 +126,12 @@ def _tick() -> float | None:
             return INTERVAL  # as long as it is, it keeps its mesh
         pause = 0.0 if _Wish.do == "open" else PAUSE
         if time.monotonic() - _Wish.since >= pause:
-            _Wish.shown = time.monotonic()
-            _Wish.work, _Wish.run = start(thing, _Wish.do, bpy.context.scene), thing.craze.run
-            _Wish.do = None
+            do, _Wish.do = _Wish.do, None
+            _Wish.run, _Wish.shown = thing.craze.run, time.monotonic()
+            try:
+                _Wish.work = start(thing, do, bpy.context.scene)
+            except Problem as e:
+                progress.fail(str(e))
         return INTERVAL
     if work.advance(SLICE):
         thing = _known(_Wish.thing, _Wish.run)

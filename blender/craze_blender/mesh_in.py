@@ -38,6 +38,7 @@ def _evaluated(context: Any, thing: Any) -> Any:
         for modifier in list(double.modifiers):
             if modifier.type in KEPT_MODIFIERS:
                 double.modifiers.remove(modifier)
+        double.hide_viewport = False  # else its modifiers would not be seen
         context.scene.collection.objects.link(double)
         graph = context.evaluated_depsgraph_get()
         graph.update()

@@ -47,6 +47,7 @@ class Made:
     mesh: Any
     digest: str  # of the mesh (changes.py)
     run: str
+    stretch: np.ndarray
     report: dict[str, Any]
     warnings: list[str]
     grown: list[np.ndarray] = field(default_factory=list)
@@ -157,7 +158,9 @@ def _build(order: Order, name: str, read: list[np.ndarray], reply: dict[str, Any
     finally:
         if not digest:
             remove([mesh])
-    return Made(mesh, digest, order.run, reply["report"], warnings, grown, solids)
+    return Made(
+        mesh, digest, order.run, order.stretch, reply["report"], warnings, grown, solids
+    )
 
 
 def _named_by(

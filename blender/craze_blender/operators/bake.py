@@ -33,6 +33,7 @@ class CRAZE_OT_bake(OfCracked, bpy.types.Operator):
 
     def steps(self, context: Any) -> Steps:
         thing, panel, engine = context.active_object, context.scene.craze, process.engine()
+        cracked.check_own(thing)
         said = self.properties.is_property_set
         size = self.size if said("size") else panel.map_size
         given = self.directory if said("directory") else panel.map_folder

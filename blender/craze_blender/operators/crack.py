@@ -38,10 +38,13 @@ class CRAZE_OT_crack(WithRecipe, EngineOperator, bpy.types.Operator):
     def steps(self, context: Any) -> Steps:
         thing, scene = context.active_object, context.scene
         engine = process.engine()
-        again = cracked.is_cracked(thing)
+        again, in_place = cracked.is_cracked(thing), self._in_place(scene.craze)
+        chosen = len(context.selected_objects)
+        if again or in_place:
+            cracked.check_own(thing)
         if again:
             order = cracked.order_of(thing)
-            order.run = runs.new_run()
+            order.run, order.stretch = runs.new_run(), mesh_in.stretch_of(thing.matrix_world)
         else:
             order = runs.Order(
                 mesh=None,
@@ -54,7 +57,6 @@ class CRAZE_OT_crack(WithRecipe, EngineOperator, bpy.types.Operator):
         order.settings = self.given_settings(context.scene)
         if not again:
             order.mesh = mesh_in.snapshot(context, thing)
-        in_place = self._in_place(scene.craze)
         meshes = [] if again else [order.mesh]  # to be removed where it does not get ready
         before = None
         if in_place and not again:
@@ -82,12 +84,16 @@ class CRAZE_OT_crack(WithRecipe, EngineOperator, bpy.types.Operator):
                 remove(before.kept())
             if not done:
                 remove(meshes)
+        if thing.library is not None:
+            self.report({"WARNING"}, f"craze: {thing.name} belongs to another file: hidden, it is in "
+                        "renders again when this one is opened anew")  # fmt: skip
         if target is not thing:
             self.report({"WARNING"}, f"craze: {cracked.left(thing, target)}")
         for warning in dict.fromkeys(made.warnings + made.report["warnings"]):
             self.report({"WARNING"}, f"craze: {warning}")
         found = made.report["cracks"]
-        return f"{found['events']} cracks, {found['fragments']} fragments"
+        alone = f"; of {chosen} selected objects the active one" if chosen > 1 else ""
+        return f"{found['events']} cracks, {found['fragments']} fragments{alone}"
 
     def _in_place(self, panel: Any) -> bool:
         said = self.properties.is_property_set("in_place")

@@ -41,6 +41,7 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
 
     def steps(self, context: Any) -> Steps:
         thing = context.active_object
+        cracked.check_own(thing)
         said = self.properties.is_property_set
         frames = self.frames if said("frames") else context.scene.craze.frames
         method = self.method if said("method") else context.scene.craze.growth

@@ -7,6 +7,8 @@ from typing import Any
 
 import bpy
 
+from ..cracked import is_cracked
+
 PAINTED = "Cracks"  # the vertex group that is painted
 
 
@@ -38,7 +40,13 @@ class CRAZE_OT_paint(bpy.types.Operator):
     def poll(cls, context: Any) -> bool:
         thing = context.active_object
         modes = {"OBJECT", "EDIT_MESH"}
-        return thing is not None and thing.type == "MESH" and context.mode in modes
+        if is_cracked(thing):
+            cls.poll_message_set("craze: paint on what this was cracked from, which is hidden")
+            return False
+        if thing is not None and thing.type == "MESH" and context.mode in modes:
+            return True
+        cls.poll_message_set("craze: select a mesh, in Object or Edit Mode")
+        return False
 
     def execute(self, context: Any) -> set[str]:
         thing = context.active_object
