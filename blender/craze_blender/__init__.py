@@ -15,7 +15,7 @@ bl_info = {
 
 import bpy
 
-from . import live, operators, panel, preferences, process, settings, work
+from . import live, operators, panel, preferences, process, saving, settings, work
 
 
 def register() -> None:
@@ -26,9 +26,11 @@ def register() -> None:
         bpy.utils.register_class(cls)
     live.register()
     work.register()
+    saving.register()
 
 
 def unregister() -> None:
+    saving.unregister()
     work.unregister()
     live.unregister()
     process.stop()

@@ -12,6 +12,7 @@ from .work import Problem
 
 # Modifiers that go on working on the cracked mesh; all others are applied before.
 KEPT_MODIFIERS = {"ARMATURE"}
+SNAPSHOT = ".craze "  # begins its name; a dot: not in Blender's lists
 LEAST_SCALE = 1e-4  # of an axis, over the largest: less would be lost in six digits
 
 
@@ -28,7 +29,7 @@ def snapshot(context: Any, thing: Any) -> Any:
         made = thing.data.copy()
     else:
         made = _evaluated(context, thing)
-    made.name = f".craze {thing.name}"  # a dot: not in Blender's lists
+    made.name = f"{SNAPSHOT}{thing.name}"
     return made
 
 

@@ -76,5 +76,8 @@ def hide(thing: Any) -> None:
 
 def remove(things: Iterable[Any]) -> None:
     """Removes what is still there of data-blocks that did not get ready: an undo, another file or a
-    user may have removed some before, and Blender ends where it is told to remove one twice."""
-    bpy.data.batch_remove([thing for thing in things if is_there(thing)])
+    user may have removed some before, and Blender ends where it is told to remove one twice. Shape
+    keys go with their meshes, which Blender forgets here."""
+    there = [thing for thing in things if is_there(thing)]
+    keys = [getattr(thing, "shape_keys", None) for thing in there]
+    bpy.data.batch_remove([*there, *(key for key in keys if key is not None)])

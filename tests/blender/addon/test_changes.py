@@ -1,6 +1,9 @@
 """What a user does to an object while it cracks, or to a cracked one, is not lost."""
 
 import collections
+import subprocess
+import tempfile
+from pathlib import Path
 
 import bmesh
 import bpy
@@ -17,6 +20,15 @@ material = { criterion = "strength", scatter = 0.15 }
 layer.relative_spacing = 0.2
 evolution.max_load = 2.0
 post = { gap = 0.1, wall = 0.05 }
+"""
+
+# In a Blender that opens a file, with the add-on.
+AFTER = """
+import bpy, craze_blender
+craze_blender.register()
+bpy.ops.wm.open_mainfile(filepath=bpy.data.filepath)
+print([o.name for o in bpy.data.objects], [m.name for m in bpy.data.meshes])
+craze_blender.unregister()
 """
 
 
@@ -210,6 +222,15 @@ class Changes(Cracking):
         self.assertNotEqual(digest(thing), mine)
         self.assertFalse(thing.craze.edited)
 
+    def test_no_shape_keys_are_left_of_what_was_compared(self):
+        thing = self.thing()
+        key(thing)
+        self.crack(thing)
+        before = len(bpy.data.shape_keys)
+        for seed in range(3):
+            bpy.ops.craze.crack(recipe=RECIPE, seed=seed)
+        self.assertEqual(len(bpy.data.shape_keys), before)
+
     def test_what_is_changed_while_the_sliders_are_followed_stays(self):
         thing = self.crack(self.thing())
         before = len(bpy.data.meshes)
@@ -256,6 +277,8 @@ class Changes(Cracking):
         for in_place, modifier in ((True, False), (True, True), (False, False)):
             meshes.empty()
             thing = self.thing()
+            key(thing)
+            keys = len(bpy.data.shape_keys)
             if modifier:
                 thing.modifiers.new("mine", "SUBSURF").levels = 1
             before, count = len(bpy.data.meshes), 1
@@ -269,6 +292,7 @@ class Changes(Cracking):
                     break
                 going.cancel()
                 self.assertEqual(len(bpy.data.meshes), before, count)
+                self.assertEqual(len(bpy.data.shape_keys), keys, count)
                 count += 4
             self.assertGreater(count, 10)
 
@@ -302,3 +326,25 @@ class Changes(Cracking):
             ended[going.error] += 1
             self.assertEqual(len(bpy.data.meshes), 1 if going.error else 3)
         return ended
+
+    def test_a_file_saved_meanwhile_has_nothing_of_the_run(self):
+        for keys in (False, True):
+            meshes.empty()
+            thing = self.thing()
+            if keys:
+                thing.shape_key_add(name="Basis")
+                thing.shape_key_add(name="mine")
+            going = self.started(in_place=False)
+            with tempfile.TemporaryDirectory() as folder:
+                path = str(Path(folder) / "meanwhile.blend")
+                bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+                self.assertEqual(len(bpy.data.objects), 1)
+                going.finish()
+                self.assertEqual(going.state, "done", going.error)
+                said = subprocess.run(
+                    [bpy.app.binary_path, "-b", "--factory-startup", path, "--python-use-system-env",
+                     "--python-exit-code", "3", "--python-expr", AFTER], text=True,
+                    capture_output=True, check=True,
+                )  # fmt: skip
+                self.assertIn("['thing'] ['grid']", said.stdout)
+                self.assertNotIn("Error", said.stdout + said.stderr)
