@@ -30,12 +30,12 @@ def register() -> None:
 
 
 def unregister() -> None:
-    saving.unregister()
-    work.unregister()
+    operators.unregister()  # first, as they may be at work
     live.unregister()
     process.stop()
+    saving.unregister()
+    work.unregister()
     for cls in reversed(panel.CLASSES):
         bpy.utils.unregister_class(cls)
-    operators.unregister()
     settings.unregister()
     bpy.utils.unregister_class(preferences.CrazePreferences)

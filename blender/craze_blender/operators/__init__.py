@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import bake, crack, curves, grow, impact, panel_tools, pieces, recipe, stats, texture
+from . import bake, base, crack, curves, grow, impact, panel_tools, pieces, recipe, stats, texture
 
 MODULES = (crack, bake, texture, pieces, grow, curves, stats, recipe, impact, panel_tools)
 
@@ -16,6 +16,7 @@ def register() -> None:
 
 
 def unregister() -> None:
+    base.stop()
     for module in reversed(MODULES):
         for cls in reversed(module.CLASSES):
             bpy.utils.unregister_class(cls)

@@ -13,7 +13,8 @@ from ..work import Steps, Work
 INTERVAL = 0.02  # seconds between looks
 SHOWN = 0.2  # seconds from one state that is shown to the next
 SLICE = 0.012  # seconds of work in Blender at a look
-_AT_WORK: set[tuple[str, str]] = set()  # operators that run, and the objects they are about
+# Of operators that run: which, and the object it is about; its work and timer.
+_AT_WORK: list[tuple[tuple[str, str], Work, Any]] = []
 
 
 class EngineOperator:
@@ -22,7 +23,6 @@ class EngineOperator:
     bl_options = {"UNDO"}
     of_object = True  # it is about the active one
     _work: Work
-    _what = ("", "")
     _timer: Any = None
     _shown = 0.0
 
@@ -39,17 +39,17 @@ class EngineOperator:
         if bpy.app.background:
             return self.execute(context)
         name = context.active_object.name if self.of_object else ""
-        if self.of_object and (self.bl_idname, name) in _AT_WORK:  # type: ignore[attr-defined]
+        what = (self.bl_idname, name)  # type: ignore[attr-defined]
+        if self.of_object and any(what == known for known, *_ in _AT_WORK):
             self.report(  # type: ignore[attr-defined]
                 {"WARNING"}, f"craze: {name} is being worked on already; Esc stops it"
             )
             return {"CANCELLED"}
-        self._what = self.bl_idname, name  # type: ignore[attr-defined]
-        _AT_WORK.add(self._what)
         self._work = Work(process.engine(), self.steps(context))
         self._work.advance(0.0)  # of the object that is active now
         manager = context.window_manager
         self._timer = manager.event_timer_add(INTERVAL, window=context.window)
+        _AT_WORK.append((what, self._work, self._timer))
         manager.progress_begin(0, 100)
         manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
@@ -88,10 +88,23 @@ class EngineOperator:
         context.window_manager.progress_update(100 * (self._work.says()[1] or 0.0))
 
     def _hide(self, context: Any) -> None:
-        _AT_WORK.discard(self._what)
-        progress.clear()
-        context.window_manager.progress_end()
-        context.window_manager.event_timer_remove(self._timer)
+        for known in list(_AT_WORK):
+            if known[1] is self._work:
+                _forget(*known)
+
+
+def _forget(what: tuple[str, str], work: Work, timer: Any) -> None:
+    _AT_WORK.remove((what, work, timer))
+    progress.clear()
+    bpy.context.window_manager.progress_end()
+    bpy.context.window_manager.event_timer_remove(timer)
+
+
+def stop() -> None:
+    """Cancels what runs: the add-on is disabled, and nobody would call modal() again."""
+    for what, work, timer in list(_AT_WORK):
+        work.cancel()
+        _forget(what, work, timer)
 
 
 class OfCracked(EngineOperator):

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Vector
 
-from .. import cracked, layers, mesh_out, process, runs, weights
+from .. import changes, cracked, layers, mesh_out, process, runs, weights
 from ..work import Problem, Steps, holding, last
 from ..world import hide, placed, remove
 from .base import OfCracked
@@ -47,6 +47,9 @@ class CRAZE_OT_pieces(OfCracked, bpy.types.Operator):
         said = self.properties.is_property_set
         thickness = self.thickness if said("thickness") else context.scene.craze.thickness
         core = self.core if said("core") else context.scene.craze.core
+        if thickness > 0 and (yield from changes.edited(thing)):
+            self.report({"WARNING"}, f"craze: {thing.name} was changed by hand; solid pieces are of "
+                        "what was cracked, without that")  # fmt: skip
         if thickness > 0:
             solid = yield from _solid(thing, thickness, core)
             try:

@@ -5,6 +5,7 @@ import bpy
 from test_window import HEAVY, OPEN, names, scene, start, undo_push, until
 from window import check, press, view
 
+import craze_blender
 from craze_blender import process, progress
 
 LONGER = HEAVY.replace("0.03", "0.1")
@@ -41,12 +42,13 @@ def test_a_second_press_does_not_crack_twice_and_a_later_one_does():
     yield from until(lambda: len(names()) == 2)
     yield from idle()
     check(names() == ["thing", "thing cracked"], f"there is {names()}")
-    start(recipe=OPEN)
+    start(recipe=LONGER)
     yield from at_work()
     press("ESC")
     yield from idle()
+    run = bpy.data.objects["thing cracked"].craze.run
     start(recipe=OPEN)
-    yield from idle()
+    yield from until(lambda: bpy.data.objects["thing cracked"].craze.run != run)
     check(len(names()) == 2, f"there is {names()}")
 
 
@@ -125,3 +127,40 @@ def test_another_file_meanwhile_ends_it():
         check(names() == ["Camera", "Cube", "Light"], f"there is {names()}")
         check(len(bpy.data.meshes) == 1, "a mesh is left")
         check(progress.shown() == ("", False), f"it says {progress.shown()}")
+
+
+def test_an_addon_that_is_disabled_meanwhile_leaves_nothing_and_comes_back():
+    scene(60)
+    start(recipe=LONGER)
+    yield from at_work()
+    craze_blender.unregister()
+    yield 0.5
+    check(names() == ["thing"] and len(bpy.data.meshes) == 1, "something is left")
+    craze_blender.register()
+    yield 0.5
+    check(progress.shown() == ("", False), f"it says {progress.shown()}")
+    scene(12)
+    start(recipe=OPEN)
+    yield from until(lambda: names() == ["thing", "thing cracked"])
+    yield 0.3
+
+
+def test_cracking_in_place_is_undone_with_modifiers_and_done_again():
+    thing = scene(12)
+    thing.modifiers.new("finer", "SUBSURF")
+    undo_push()
+    start(recipe=OPEN, in_place=True)
+    yield from until(lambda: len(bpy.data.objects["thing"].data.vertices) > 200)
+    yield 0.3
+    for _ in range(2):
+        with bpy.context.temp_override(**view()):
+            bpy.ops.ed.undo()
+        yield 0.3
+        thing = bpy.data.objects["thing"]
+        check(len(thing.data.vertices) == 13 * 13, "undo left another mesh")
+        check([m.name for m in thing.modifiers] == ["finer"], "undo left no modifier")
+        with bpy.context.temp_override(**view()):
+            bpy.ops.ed.redo()
+        yield 0.3
+        thing = bpy.data.objects["thing"]
+        check(len(thing.data.vertices) > 200 and not thing.modifiers, "redo made another")
