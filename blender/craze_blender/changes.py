@@ -71,10 +71,19 @@ def _settings_of(thing: Any) -> list[Any]:
         [
             modifier.type,
             *(repr(getattr(modifier, name)) for name in _names(modifier)),
-            *(modifier.items() if modifier.type == "NODES" else ()),
+            *((key, _plain(modifier[key])) for key in _inputs(modifier)),
         ]
         for modifier in modifiers_to_apply(thing)
     ]
+
+
+def _inputs(modifier: Any) -> list[str]:
+    return list(modifier.keys()) if modifier.type == "NODES" else []
+
+
+def _plain(value: Any) -> str:
+    """As it can be compared: arrays of Blender's are equal to themselves alone."""
+    return repr(value.to_list() if hasattr(value, "to_list") else value)
 
 
 def _names(modifier: Any) -> list[str]:

@@ -10,7 +10,7 @@ import bpy
 import meshes
 from cracking import Cracking, places
 
-from craze_blender import changes, live, process, work
+from craze_blender import changes, live, nodes, process, work, world
 from craze_blender.operators.crack import CRAZE_OT_crack
 from craze_blender.work import Work
 
@@ -185,6 +185,24 @@ class Changes(Cracking):
                     self.assertEqual(len(bpy.data.objects), 1)
                     self.assertEqual(going.said, [])
                 self.assertEqual(len(bpy.data.meshes), 3)
+
+    def test_inputs_of_nodes_count(self):
+        tree = bpy.data.node_groups.new("nodes", "GeometryNodeTree")
+        for kind in ("Geometry", "Vector", "Object"):
+            nodes.new_socket(tree, "INPUT", kind, f"NodeSocket{kind}")
+        nodes.new_socket(tree, "OUTPUT", "Geometry", "NodeSocketGeometry")
+        ends = tree.nodes.new("NodeGroupInput"), tree.nodes.new("NodeGroupOutput")
+        tree.links.new(ends[0].outputs[0], ends[1].inputs[0])
+        thing = self.thing()
+        modifier = thing.modifiers.new("mine", "NODES")
+        modifier.node_group = tree
+        key = next(k for k in modifier.keys() if hasattr(modifier[k], "to_list"))
+        for change in (False, True):
+            before = changes.Before(thing, thing.data)
+            if change:
+                modifier[key] = (1.0, 2.0, 3.0)
+            self.assertEqual(steps_to_end(before.changed(thing)), change)
+            world.remove(before.kept())
 
     def test_a_cracked_object_that_was_changed_stays_when_it_is_cracked_anew_or_grows(self):
         for method in ("crack", "NODES", "KEYS"):
