@@ -41,19 +41,20 @@ def new_object(context: Any, scene: Any, thing: Any, made: Made, order: Order) -
     return new
 
 
-def beside(scene: Any, thing: Any) -> Any:
-    """A copy of an object that a user changed meanwhile, to have what was made of it; the object is
-    left as it is."""
+def beside(context: Any, scene: Any, thing: Any, meanwhile: bool) -> tuple[Any, str]:
+    """A copy of an object that a user has changed, to have what was made of it, and what the user is
+    told. One that was changed before is hidden as others are; one that was changed meanwhile is being
+    worked on, and left as it is."""
     new = thing.copy()
     if not is_cracked(thing):
         new.name = unused(f"{thing.name} cracked")
-    link(scene, new, thing)
-    return new
-
-
-def left(thing: Any, new: Any) -> str:
-    """What a user is told then."""
-    return f"{thing.name} was changed by hand and stays; the cracks are in {new.name}"
+    if meanwhile:
+        link(scene, new, thing)
+    else:
+        link_beside(context, scene, new, thing)
+        hide(thing)
+    stays = "stays" if meanwhile else "stays, hidden"
+    return new, f"craze: {thing.name} was changed by hand and {stays}; the cracks are in {new.name}"
 
 
 def is_busy(thing: Any) -> bool:

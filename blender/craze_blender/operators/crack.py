@@ -64,14 +64,15 @@ class CRAZE_OT_crack(WithRecipe, EngineOperator, bpy.types.Operator):
         done = False
         try:
             name = thing.data.name if again else f"{thing.name} cracked"
+            mine = again and (yield from changes.edited(thing))
             made = yield from runs.crack(engine, order, name)
             meshes.append(made.mesh)
             yield from cracked.free(thing)
-            target = thing
-            if again and (yield from changes.edited(thing)):
-                target = cracked.beside(scene, thing)
+            target, told = thing, ""
+            if again and (mine or (yield from changes.edited(thing))):
+                target, told = cracked.beside(context, scene, thing, not mine)
             elif before is not None and (yield from before.changed(thing)):
-                target = cracked.beside(scene, thing)
+                target, told = cracked.beside(context, scene, thing, True)
             if again:
                 cracked.replace_mesh(target, made)
             elif in_place:
@@ -87,8 +88,8 @@ class CRAZE_OT_crack(WithRecipe, EngineOperator, bpy.types.Operator):
         if thing.library is not None:
             self.report({"WARNING"}, f"craze: {thing.name} belongs to another file: hidden, it is in "
                         "renders again when this one is opened anew")  # fmt: skip
-        if target is not thing:
-            self.report({"WARNING"}, f"craze: {cracked.left(thing, target)}")
+        if told:
+            self.report({"WARNING"}, told)
         for warning in dict.fromkeys(made.warnings + made.report["warnings"]):
             self.report({"WARNING"}, f"craze: {warning}")
         found = made.report["cracks"]

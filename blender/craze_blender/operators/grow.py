@@ -56,6 +56,7 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
             raise Problem("the cracks are shut, so nothing would move: raise Gap in the panel first, "
                           "or say grow(gap=0.1)")  # fmt: skip
         order = cracked.order_of(thing)
+        mine = yield from changes.edited(thing)
         made = yield from runs.grow(process.engine(), order, thing.data.name, times, post)
         start = context.scene.frame_current
         done = False
@@ -67,9 +68,9 @@ class CRAZE_OT_grow(OfCracked, bpy.types.Operator):
             made.digest = yield from changes.digest(made.mesh, len(order.groups))
             yield from cracked.free(thing)
             target = thing
-            if (yield from changes.edited(thing)):
-                target = cracked.beside(context.scene, thing)
-                self.report({"WARNING"}, f"craze: {cracked.left(thing, target)}")
+            if mine or (yield from changes.edited(thing)):
+                target, told = cracked.beside(context, context.scene, thing, not mine)
+                self.report({"WARNING"}, told)
             cracked.replace_mesh(target, made)
             done = True
         finally:

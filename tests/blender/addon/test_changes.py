@@ -218,6 +218,8 @@ class Changes(Cracking):
                         bpy.ops.craze.grow(frames=4, method=method)
                     self.assertEqual(digest(thing), mine)
                     new = bpy.data.objects["thing cracked.001"]
+                    self.assertTrue(thing.hide_get())
+                    self.assertIs(bpy.context.active_object, new)
                     self.assertNotEqual(digest(new), mine)
                     self.assertFalse(steps_to_end(changes.edited(new)))
 
