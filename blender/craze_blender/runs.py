@@ -185,6 +185,7 @@ def _named_by(
         if values is not None:
             arrays["attribute " + name] = values
             attributes.append(name)
+    _check_attributes(order, attributes)
     pictures = [image for image in bpy.data.images if named(image.name)]
     for image in pictures:
         arrays["picture " + image.name] = mesh_in.picture(image)
@@ -193,6 +194,18 @@ def _named_by(
         "materials": mesh_in.material_names(order.mesh),
         "pictures": [image.name for image in pictures],
     }
+
+
+def _check_attributes(order: Order, known: list[str]) -> None:
+    """Raises Problem where the panel names one that is not there: the engine would list those alone
+    that were named."""
+    for row in table.single():
+        if row["name"].endswith("attribute") and isinstance(order.recipe, dict):
+            wanted = table.value_in(order.recipe, row["key"])
+            if wanted and wanted not in known:
+                groups = ", ".join(order.groups) or "none"
+                raise Problem(f"what is cracked has no vertex group or attribute {wanted} "
+                              f"({row['key']}); its vertex groups: {groups}")  # fmt: skip
 
 
 def _json(value: Any) -> str:

@@ -88,6 +88,22 @@ class WhereItIs(Cracking):
         with self.assertRaisesRegex(RuntimeError, "paint on what this was cracked from"):
             bpy.ops.craze.paint()
 
+    def test_a_group_that_is_not_there_is_said_with_those_that_are(self):
+        keys = bpy.context.scene.craze.keys
+        thing = meshes.link(meshes.grid(8))
+        keys.where_attribute = "Crakcs"
+        try:
+            for groups in ("none", "Cracks, other"):
+                with self.assertRaisesRegex(
+                    RuntimeError, rf"no vertex group or attribute Crakcs.*groups: {groups}\n"
+                ):
+                    bpy.ops.craze.crack()
+                thing.vertex_groups.new(name="Cracks")
+                thing.vertex_groups.new(name="other")
+            self.assertEqual(len(bpy.data.meshes), 1)
+        finally:
+            keys.where_attribute = ""
+
     def linked(self, cracked, override):
         """An object as it comes from another file."""
         with tempfile.TemporaryDirectory() as folder:
