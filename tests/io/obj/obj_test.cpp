@@ -56,6 +56,12 @@ TEST(Obj, ColoursFollowTheCoordinates) {
   EXPECT_EQ(mesh.vertex_colors[2], (Color{0, 0, 1, 0.25f}));
 }
 
+TEST(Obj, ColoursAreWrittenWithinTheirBounds) {
+  SurfaceMesh mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  mesh.vertex_colors.assign(3, Color{std::nextafter(1.0f, 2.0f), 0, 0, 1});
+  EXPECT_TRUE(read_mesh(format_mesh(mesh, "obj"), "a.obj").warnings.empty());
+}
+
 TEST(Obj, MaterialsGoByNameAndNoFileIsAskedFor) {
   const auto mesh = read(std::string("mtllib gone.mtl\n") + square +
                          "f 1 2 3\nusemtl raw clay\nf 1 3 4\nusemtl b\nf 1 2 4\nusemtl raw clay\n"

@@ -1,6 +1,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -78,7 +79,8 @@ void write_obj(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink
     const Vec3& p = mesh.positions[v];
     fmt::format_to(out, FMT_COMPILE("v {} {} {}"), p.x(), p.y(), p.z());
     if (!mesh.vertex_colors.empty()) {
-      const Color& c = mesh.vertex_colors[v];
+      Color c = mesh.vertex_colors[v];
+      for (float& channel : c) channel = std::clamp(channel, 0.0f, 1.0f);
       fmt::format_to(out, FMT_COMPILE(" {} {} {}"), c[0], c[1], c[2]);
       // Other readers give up at a seventh number: only where it says something.
       if (c[3] < opaque) fmt::format_to(out, FMT_COMPILE(" {}"), c[3]);

@@ -18,6 +18,7 @@
 #include "craze/io/gltf/solids/scene_solid.h"
 #include "craze/io/gltf/solids/solid_node.h"
 #include "craze/io/polygons/float_grid.h"
+#include "craze/io/polygons/polygon_soup.h"
 #include "craze/io/polygons/single_precision.h"
 #include "craze/io/polygons/unify_corners.h"
 #include "craze/mesh/mesh_parts.h"
@@ -131,6 +132,7 @@ class Resurfacer {
         for (Vec3& shift : stage.shifts) shift = inverse * shift;
       }
     }
+    normalize_corner_normals(part);
     if (options_.objects.empty()) {
       output_.root["nodes"][node]["mesh"] = add_mesh(name_of(node), part, growth.stages);
       moving_.push_back(node);
@@ -229,8 +231,8 @@ class Resurfacer {
     std::vector<Eigen::Vector4d> colors;
     for (const std::int32_t v : unified.sources) {
       if (part.vertex_colors.empty()) break;
-      const Color& c = part.vertex_colors[v];
-      colors.emplace_back(c[0], c[1], c[2], c[3]);
+      Eigen::Vector4d& color = colors.emplace_back();
+      for (int k = 0; k < 4; ++k) color[k] = std::clamp(part.vertex_colors[v][k], 0.0f, 1.0f);
     }
     if (!colors.empty()) add("COLOR_0", floats(colors, 4), nullptr);
     for (const Attribute& a : part.vertex_attributes) {
