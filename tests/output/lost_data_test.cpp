@@ -57,6 +57,16 @@ TEST(LostData, OfASceneThatIsToldOfElsewhereIsNotNamedTwice) {
   EXPECT_NE(lost.find("zone"), std::string::npos) << lost;
 }
 
+TEST(LostData, IsNamedBesideWhatTheSceneTellsOf) {
+  const Scene scene;
+  SurfaceMesh mesh = full();
+  mesh.vertex_attributes.push_back({"heat", 1, {0, 0, 0}});
+  for (const char* format : {"stl", "obj"}) {
+    const std::string lost = describe_lost_data(mesh, format, &scene);
+    EXPECT_NE(lost.find("vertex attribute 'heat'"), std::string::npos) << lost;
+  }
+}
+
 TEST(LostData, OfASurfaceWithoutAnyIsNone) {
   SurfaceMesh bare;
   bare.positions = full().positions;

@@ -12,17 +12,21 @@ namespace craze {
 
 namespace {
 
-bool counts(const SourceScene* scene, std::string_view kind) {
-  if (!scene) return false;
-  const std::vector<SceneContent> contents = scene->contents();
-  return std::any_of(contents.begin(), contents.end(),
-                     [&](const SceneContent& content) { return content.kind == kind; });
+/// The things of that kind in the scene, of which its own warning tells.
+std::vector<std::string> counted(const SourceScene* scene, std::string_view kind) {
+  if (!scene) return {};
+  for (SceneContent& content : scene->contents()) {
+    if (content.kind == kind) return std::move(content.names);
+  }
+  return {};
 }
 
+/// `told`: the names that are told of elsewhere.
 void name_attributes(const std::vector<Attribute>& attributes, const char* of, bool without_colors,
-                     std::vector<std::string>& lost) {
+                     const std::vector<std::string>& told, std::vector<std::string>& lost) {
   for (const Attribute& a : attributes) {
     if (is_run_attribute(a.name)) continue;
+    if (std::find(told.begin(), told.end(), a.name) != told.end()) continue;
     const bool is_color = a.name == "red" || a.name == "green" || a.name == "blue";
     if (without_colors && is_color) continue;
     lost.push_back(std::string(of) + " attribute '" + a.name + "'");
@@ -39,14 +43,17 @@ std::string describe_lost_data(const SurfaceMesh& surface, std::string_view form
     if (!surface.corner_uvs.empty()) lost.emplace_back("texture coordinates");
     if (!surface.corner_normals.empty()) lost.emplace_back("normals of vertices");
     if (!surface.vertex_colors.empty()) lost.emplace_back("colours of vertices");
-    if (!surface.face_materials.empty() && !counts(scene, "materials")) {
+    if (!surface.face_materials.empty() && counted(scene, "materials").empty()) {
       lost.emplace_back("materials");
     }
   }
-  if ((is_stl || is_obj) && !counts(scene, "vertex attributes of its own")) {
-    name_attributes(surface.vertex_attributes, "vertex", false, lost);
+  if (is_stl || is_obj) {
+    name_attributes(surface.vertex_attributes, "vertex", false,
+                    counted(scene, "vertex attributes of its own"), lost);
   }
-  if (is_stl || is_obj || is_glb) name_attributes(surface.face_attributes, "face", is_stl, lost);
+  if (is_stl || is_obj || is_glb) {
+    name_attributes(surface.face_attributes, "face", is_stl, {}, lost);
+  }
   if (lost.empty()) return {};
   return fmt::format("not kept of the surface, since .{} has no place for them: {}", format,
                      fmt::join(lost, ", "));
