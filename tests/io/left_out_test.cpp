@@ -90,6 +90,7 @@ TEST(LeftOut, StlNamesItsSolidsAndItsHeader) {
 /// A GLB of one triangle whose node and material are as given.
 SceneFile triangle(const Json& node, const Json& material) {
   SceneFile file;
+  file.json["asset"].erase("extras");
   const std::size_t places = file.add_positions({0, 0, 0, 1, 0, 0, 0, 1, 0});
   Json primitive{{"attributes", {{"POSITION", places}}}};
   if (!material.is_null()) {
@@ -125,6 +126,27 @@ TEST(LeftOut, GltfSaysNothingWhereNothingIsLost) {
   const Json metal = Json::parse(R"({"pbrMetallicRoughness": {"metallicFactor": 0.5}})");
   EXPECT_TRUE(holds(lost("obj", Json::object(), metal), "what materials have besides"));
   EXPECT_EQ(lost("usda", Json::object(), metal), "");
+}
+
+TEST(LeftOut, GltfNamesCopyrightExtrasAndExtensions) {
+  SceneFile file = triangle({{"extras", {{"door", 1}}}}, nullptr);
+  Json& primitive = file.json["meshes"][0]["primitives"][0];
+  primitive["extensions"]["KHR_materials_variants"] = {{"mappings", Json::array()}};
+  file.json["meshes"][0]["extras"] = {{"targetNames", {"smile"}}};
+  file.json["extensions"]["KHR_xmp_json_ld"] = {{"packets", Json::array()}};
+  file.json["asset"] = {{"version", "2.0"}, {"copyright", "by me"}};
+  const MeshFile read = read_mesh(file.bytes(), "a.glb");
+  for (const char* format : {"ply", "obj", "stl", "usda"}) {
+    EXPECT_TRUE(holds(lost_in(format, read),
+                      "copyright by me, extensions KHR_xmp_json_ld, 1 extras, extensions of meshes "
+                      "KHR_materials_variants"))
+        << lost_in(format, read);
+  }
+  // Another surface, shown by the same nodes.
+  EXPECT_EQ(
+      lost_in("glb", read),
+      "not kept of the input, since .glb of another surface than the input's has no place for "
+      "them: extensions of meshes KHR_materials_variants\n");
 }
 
 TEST(LeftOut, GltfCountsWhatMakesNoTriangle) {

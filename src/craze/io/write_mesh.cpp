@@ -118,8 +118,9 @@ void warn_of_lost(const MeshFormat& format, const SurfaceMesh& mesh,
   std::vector<std::string> kept = kept_kinds(format, !options.objects.empty());
   if (format.name == "glb" && keeps_nodes(mesh, options)) {
     target += " of another surface than the input's";
-    for (const char* kind : {"nodes", "meshes", "name of the node", "name of the mesh",
-                             "animations", "cameras", "lights"}) {
+    for (const char* kind :
+         {"nodes", "meshes", "name of the node", "name of the mesh", "animations", "cameras",
+          "lights", "copyright", "extensions", "extras"}) {
       kept.emplace_back(kind);
     }
   }

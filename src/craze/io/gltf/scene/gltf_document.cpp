@@ -65,6 +65,61 @@ SceneContent lights(const Json& root) {
   return root.contains(at) ? named(root[at], "lights", "lights") : SceneContent{"lights", {}};
 }
 
+/// What objects of the document carry that glTF has no key of its own for.
+class Annotations {
+ public:
+  /// `of`: behind the kinds' names, such as " of meshes".
+  explicit Annotations(const std::string& of)
+      : extensions_{"extensions" + of, {}, true}, extras_{"extras" + of, {}} {}
+
+  void take(const Json& object) {
+    if (!object.is_object()) return;
+    if (const auto own = object.find("extensions"); own != object.end() && own->is_object()) {
+      for (const auto& [name, value] : own->items()) {
+        // Lights are listed, and copies are part of the surface.
+        if (name != "KHR_lights_punctual" && name != "EXT_mesh_gpu_instancing") names_.insert(name);
+      }
+    }
+    if (!object.contains("extras")) return;
+    Json extras = object["extras"];
+    if (extras.is_object()) extras.erase("targetNames");  // of morph targets, which are listed
+    if (!extras.empty()) extras_.names.emplace_back();
+  }
+  void take_all(const Json& object, const char* list) {
+    if (!object.is_object() || !object.contains(list)) return;
+    for (const Json& item : object[list]) take(item);
+  }
+  void add_to(std::vector<SceneContent>& contents) {
+    extensions_.names.assign(names_.begin(), names_.end());
+    contents.push_back(extensions_);
+    contents.push_back(extras_);
+  }
+
+ private:
+  SceneContent extensions_, extras_;
+  std::set<std::string> names_;
+};
+
+void add_annotations(const Json& root, std::vector<SceneContent>& contents) {
+  SceneContent copyright{"copyright", {}, true};
+  Annotations of_document(""), of_meshes(" of meshes");
+  of_document.take(root);
+  if (const auto asset = root.find("asset"); asset != root.end() && asset->is_object()) {
+    const auto text = asset->find("copyright");
+    if (text != asset->end() && text->is_string()) copyright.names.push_back(*text);
+    of_document.take(*asset);
+  }
+  of_document.take_all(root, "scenes");
+  of_document.take_all(root, "nodes");
+  of_meshes.take_all(root, "meshes");
+  if (root.contains("meshes")) {
+    for (const Json& mesh : root["meshes"]) of_meshes.take_all(mesh, "primitives");
+  }
+  contents.push_back(copyright);
+  of_document.add_to(contents);
+  of_meshes.add_to(contents);
+}
+
 }  // namespace
 
 GltfDocument::GltfDocument(Json root, std::string bin, std::vector<GltfPart> parts,
@@ -151,6 +206,7 @@ std::vector<SceneContent> GltfDocument::contents() const {
       {"primitives of points or lines", vertices.loose},
       {"crack lines as bands of triangles", vertices.bands},
   };
+  add_annotations(root_, all);
   std::erase_if(all, [](const SceneContent& content) { return content.names.empty(); });
   return all;
 }
