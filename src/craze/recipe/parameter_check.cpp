@@ -5,11 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "craze/base/text/utf8.h"
 #include "craze/error.h"
 #include "craze/recipe/length_text.h"
 #include "craze/recipe/nearest_name.h"
 #include "craze/recipe/parameter_table.h"
-#include "craze/recipe/utf8.h"
 
 namespace craze {
 

@@ -13,7 +13,8 @@ namespace craze {
 /// "NAME:LINE".
 std::string at_line(const std::string& name, std::size_t line);
 
-/// Bytes of a file as they may appear in a message: no control characters, cut after 40.
+/// Bytes of a file as they may appear in a message: UTF-8 without control
+/// characters, any other byte a question mark, cut after 40 characters.
 std::string printable(std::string_view bytes);
 
 }  // namespace craze
