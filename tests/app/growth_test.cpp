@@ -179,6 +179,27 @@ TEST_F(Growth, AnOpeningThatHasNoRoomIsWarnedOf) {
   EXPECT_TRUE(nlohmann::json::parse(read_text(file("r.json")))["warnings"].empty());
 }
 
+TEST_F(Growth, KeysThatDoNothingForLackOfOthersAreNamed) {
+  const auto said = [&](const std::vector<std::string>& keys) {
+    std::vector<std::string> arguments = mud;
+    for (const std::string& key : keys) arguments.insert(arguments.end(), {"--set", key});
+    arguments.insert(arguments.end(), {"--set", "post.relative_roughness=0", "-o", "a.ply"});
+    return run(arguments).err;
+  };
+  EXPECT_EQ(said({"post.wedge=0.5", "post.core=true"}),
+            "craze: warning: there are no solid pieces (post.wedge, post.core): give "
+            "post.thickness\n");
+  EXPECT_EQ(said({"post.roughness_step=0.1"}),
+            "craze: warning: lines are not rough (post.roughness_step): give post.roughness or "
+            "post.relative_roughness\n");
+  EXPECT_EQ(said({"post.chip_size=0.1"}),
+            "craze: warning: nothing is chipped (post.chip_size): give post.chipping\n");
+  EXPECT_EQ(said({"post.curl=1"}),
+            "craze: warning: the cracks are shut and no rims curl (post.curl): maps show it; for a "
+            "mesh give post.gap or post.gap_width\n");
+  EXPECT_EQ(said({"post.curl=1", "post.gap=0.02"}), "");
+}
+
 TEST_F(Growth, AnOpeningIsNotSpokenOfWhereMapsAloneAreAskedFor) {
   const std::vector<std::string> maps =
       mud + std::vector<std::string>{"--set", "post.chipping=0.5", "--maps", "m", "--map",
