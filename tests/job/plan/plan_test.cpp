@@ -98,6 +98,24 @@ TEST(Plan, LinkedKeysGoWithTheOther) {
   }
 }
 
+TEST(Plan, LinksAreRefusedForValuesThatAreNotDrawnYetToo) {
+  const std::string tilt = "camera.tilt = {choice = [1, 60], weights = [1e9, 1]}\n";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"camera.zoom = {linked = \"camera.tilt\"}", "must be in [0.1, 10]"},
+      {"camera.zoom = {linked = \"camera.tilt\", map = {1 = 1}}", "no value for camera.tilt = 60"},
+      {"recipe.material.alpha = {linked = \"camera.tilt\"}", "material.alpha = 60"},
+      {"recipe.material.alpha = {linked = \"surface.material\"}", "wrong type"},
+      {"recipe.preset = {linked = \"surface.material\", map = {clay = \"claj\"}}", "claj"}};
+  for (const auto& [link, words] : cases) {
+    try {
+      plan(tilt + link);
+      ADD_FAILURE() << link;
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
+    }
+  }
+}
+
 TEST(Plan, TheRecipeIsThePresetWithTheKeysDrawn) {
   const Plan p = plan(
       "[recipe]\npreset = \"mud\"\n[recipe.stress]\nuniform = {uniform = [2, 3]}\n"

@@ -234,6 +234,33 @@ Plan::Plan(std::string_view text, const std::string& name, const PlanSchema& sch
   }
   for (std::size_t i = 0; i < entries_.size(); ++i) by_key_[entries_[i].key] = i;
   order_ = LinkOrder(entries_, by_key_).order;
+  check_links();
+}
+
+void Plan::check_links() const {
+  std::map<std::string, std::vector<PlanValue>> possible;  // the least and the largest, or all
+  for (const std::size_t i : order_) {
+    const PlanEntry& e = entries_[i];
+    const auto* link = std::get_if<Linked>(&e.distribution);
+    std::vector<PlanValue>& values = possible[e.key];
+    if (!link) {
+      values = extremes(e.distribution);
+      continue;
+    }
+    Random none(0, 0);  // links draw nothing
+    Recipe scratch;
+    for (const PlanValue& other : possible.at(link->key)) {
+      const PlanValue value = craze::draw(e.distribution, none, &other, e.where);
+      if (i < schema_.keys.size()) {
+        check_plan_value(schema_.keys[i], value, e.where);
+      } else if (e.key == preset_key) {
+        check_preset(plan_text(value), e.where);
+      } else {
+        set_recipe_key(scratch, e.key.substr(recipe_prefix.size()), value, e.where);
+      }
+      values.push_back(value);
+    }
+  }
 }
 
 std::vector<std::string> Plan::extents() const {

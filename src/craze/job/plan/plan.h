@@ -46,11 +46,12 @@ struct PlanEntry {
 using PlanValues = std::map<std::string, PlanValue>;
 
 /// Every key of the schema, then the recipe's in the order of the text. Values are within their
-/// keys' ranges, whatever is drawn; but those of links are known only when drawn.
+/// keys' ranges, whatever is drawn.
 class Plan {
  public:
   /// Throws Error(usage) in one line with the place: no TOML, an unknown key, a distribution that
-  /// is none, a value out of range, a link to nothing or round in a circle.
+  /// is none, a value out of range, a link to nothing, round in a circle, or to
+  /// values of which it can make none.
   Plan(std::string_view text, const std::string& name, const PlanSchema& schema);
 
   /// The text it was read from.
@@ -74,6 +75,8 @@ class Plan {
 
  private:
   const PlanEntry& entry(const std::string& key) const;
+  /// Every link, at the ends of what it goes with.
+  void check_links() const;
 
   std::string text_, name_;
   PlanSchema schema_;
