@@ -27,6 +27,7 @@ int sweep(const Options& options) {
   print_growth(options.run, sweep_growth(source, options.folder), {"the table", "rows", "part"});
   const Run run(options.run);
   const SweepResult made = run_sweep(source, options.folder, shard, run.context());
+  print_warnings(options.run, made.warnings);
   if (options.run.quiet) return done;
   const std::string left = made.parts_left == 0
                                ? "table.csv, columns and plots are whole"

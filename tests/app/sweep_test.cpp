@@ -162,11 +162,23 @@ TEST_F(Sweep, ATornPartIsMadeAgain) {
 
 TEST_F(Sweep, ARunThatCannotBeDoneSaysSoInItsRow) {
   std::ofstream(file("bad.toml")) << "object = {values = [\"shape:plate?n=8\", \"none.obj\"]}\n";
-  ASSERT_EQ(run({"sweep", "bad.toml", "-o", "bad"}).code, 0);
+  const CommandResult done = run({"sweep", "bad.toml", "-o", "bad", "--quiet"});
+  ASSERT_EQ(done.code, 0);
+  EXPECT_EQ(done.err.rfind("craze: warning: 1 of 2 rows could not be done (status in table.csv), "
+                           "first row 1: cannot read mesh (",
+                           0),
+            0u)
+      << done.err;
   const auto table = lines("bad/table.csv");
   EXPECT_NE(table[1].find(",ok,"), std::string::npos);
   EXPECT_NE(table[2].find("none.obj"), std::string::npos);
   EXPECT_NE(table[2].find("cannot read mesh"), std::string::npos);
+  // The part that the warning names is run again, and the mesh is there by now.
+  std::ofstream(file("none.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_NE(done.err.find("first bad/parts/000000.csv\n"), std::string::npos) << done.err;
+  std::filesystem::remove(file("bad/parts/000000.csv"));
+  EXPECT_EQ(run({"sweep", "bad.toml", "-o", "bad"}).err, "");
+  EXPECT_NE(lines("bad/table.csv")[2].find(",ok,"), std::string::npos);
 }
 
 TEST_F(Sweep, OneFolderHoldsOnePlan) {

@@ -107,8 +107,13 @@ std::string whole_lines(const fs::path& file) {
   return text;
 }
 
-void join_parts(const SweepRows& rows, const fs::path& folder, const Context& context) {
+FailedRows join_parts(const SweepRows& rows, const fs::path& folder, const Context& context) {
   const std::vector<SweepColumn> columns = sweep_columns(rows);
+  const auto status = static_cast<std::size_t>(
+      std::find_if(columns.begin(), columns.end(),
+                   [](const SweepColumn& column) { return column.name == "status"; }) -
+      columns.begin());
+  FailedRows rows_that_failed;
   make_output_folder("the columns of the table", folder / "columns");
   std::vector<ColumnFile> files;
   NewFile csv(folder / "table.csv", failure, context);
@@ -130,6 +135,11 @@ void join_parts(const SweepRows& rows, const fs::path& folder, const Context& co
       cells.resize(columns.size());
       for (std::size_t i = 0; i < cells.size(); ++i) files[i].add(cells[i]);
       plots.add(cells);
+      if (cells[status] != "ok" && rows_that_failed.count++ == 0) {
+        rows_that_failed.first = cells.front();
+        rows_that_failed.why = cells[status];
+        rows_that_failed.part = part;
+      }
       at = end + 1;
     }
     for (ColumnFile& file : files) file.flush();
@@ -142,6 +152,7 @@ void join_parts(const SweepRows& rows, const fs::path& folder, const Context& co
   plots.write(folder / "plots", context);
   for (ColumnFile& file : files) file.finish();
   csv.finish();
+  return rows_that_failed;
 }
 
 }  // namespace craze

@@ -23,9 +23,17 @@ bool is_whole_part(const std::filesystem::path& file, std::uint64_t count);
 /// "".
 std::string whole_lines(const std::filesystem::path& file);
 
+/// Rows of a table whose runs could not be done.
+struct FailedRows {
+  std::uint64_t count = 0;
+  std::string first, why;  ///< the number of the first one and its status
+  std::uint64_t part = 0;  ///< that it is in
+};
+
 /// table.csv, columns/NAME.npy and plots/ of all parts, which must be whole, a part in memory at a
 /// time. Each file is whole or not there, table.csv the last; one of fewer rows is removed before
 /// the others are replaced. Throws Error(output), Error(input) and Cancelled.
-void join_parts(const SweepRows& rows, const std::filesystem::path& folder, const Context& context);
+FailedRows join_parts(const SweepRows& rows, const std::filesystem::path& folder,
+                      const Context& context);
 
 }  // namespace craze

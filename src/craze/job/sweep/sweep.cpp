@@ -93,7 +93,9 @@ SweepResult run_sweep(const PlanSource& source, const fs::path& folder, Shard sh
   const SweepRows rows(Plan(source.text, source.name, sweep_schema()));
   claim_sweep(rows, source, folder, context);
   make_output_folder("the parts of the table", folder / "parts");
-  SweepResult result{rows.count(), rows.part_count()};
+  SweepResult result;
+  result.rows = rows.count();
+  result.parts = rows.part_count();
   const auto is_made = [&](std::uint64_t part) {
     return is_whole_part(part_file(folder, part), rows.rows_of(part));
   };
@@ -119,7 +121,14 @@ SweepResult run_sweep(const PlanSource& source, const fs::path& folder, Shard sh
     if (!is_made(part)) ++result.parts_left;
   }
   check_claim(folder, source);
-  if (result.parts_left == 0) join_parts(rows, folder, context);
+  if (result.parts_left > 0) return result;
+  if (const FailedRows failed = join_parts(rows, folder, context); failed.count > 0) {
+    result.warnings.push_back(
+        fmt::format("{} of {} rows could not be done (status in table.csv), first row {}: {}; to "
+                    "have such rows run again, remove the parts that hold them, first {}",
+                    failed.count, result.rows, failed.first, failed.why,
+                    part_file(folder, failed.part).string()));
+  }
   return result;
 }
 

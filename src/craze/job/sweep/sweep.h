@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "craze/context.h"
 #include "craze/job/plan/plan_folder.h"
@@ -17,6 +19,8 @@ struct SweepResult {
   std::uint64_t parts = 0;       ///< of the plan
   std::uint64_t parts_made = 0;  ///< now
   std::uint64_t parts_left = 0;  ///< not there yet, of any shard
+  /// Where the table was joined: a sentence for each thing that is not as asked.
+  std::vector<std::string> warnings;
 };
 
 /// What running a sweep will do to a table of fewer rows that is there; none: there is none.
