@@ -52,7 +52,7 @@ int verify(const Options& options) {
   for (const std::string& fault : faults) text += fault + "\n";
   if (!options.run.quiet) {
     text += faults.empty() ? "the set is whole\n"
-                           : "remove the archives that are not, and make the set again\n";
+                           : "remove the files that are not, and make the set again\n";
   }
   const int code = print(text);
   return faults.empty() ? code : failed;

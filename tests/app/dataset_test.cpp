@@ -212,6 +212,12 @@ TEST_F(Dataset, WhatIsMissingBesideTheArchivesIsWrittenFromThem) {
   const CommandResult again = run({"dataset", "plan.toml", "-o", "set"});
   EXPECT_NE(again.out.find("0 made now"), std::string::npos) << again.out;
   EXPECT_EQ(bytes_of("set"), whole);
+  std::filesystem::remove(file("set/images/000000003.png"));
+  std::filesystem::create_directory(file("set/images/000000003.png"));
+  const CommandResult blocked = run({"dataset", "plan.toml", "-o", "set"});
+  EXPECT_EQ(blocked.code, 1);
+  EXPECT_NE(blocked.err.find("(set/images/000000003.png): Is a directory"), std::string::npos)
+      << blocked.err;
 }
 
 TEST_F(Dataset, ThatIsWholeIsNotWrittenAgain) {
@@ -254,7 +260,7 @@ TEST_F(Dataset, ManyShardsThatAreMissingAreOneLine) {
   EXPECT_EQ(result.code, 1);
   EXPECT_EQ(result.out,
             "shards 000001 to 009999: they are not there, or not whole\n"
-            "remove the archives that are not, and make the set again\n");
+            "remove the files that are not, and make the set again\n");
 }
 
 TEST_F(Dataset, RoughLinesAreOfTheRecipe) {

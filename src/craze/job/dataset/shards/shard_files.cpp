@@ -231,7 +231,8 @@ void restore_beside(const DatasetPlan& plan, const fs::path& folder, std::uint64
   bool all_there = true;
   for (std::uint64_t i = first; i < first + plan.shape.samples_of(shard); ++i) {
     for (const char* kind : {"image.png", "mask.png"}) {
-      all_there = all_there && fs::exists(*path_beside(plan.shape, folder, sample_id(i), kind));
+      all_there =
+          all_there && fs::is_regular_file(*path_beside(plan.shape, folder, sample_id(i), kind));
     }
   }
   if (all_there) return;
@@ -243,7 +244,7 @@ void restore_beside(const DatasetPlan& plan, const fs::path& folder, std::uint64
     const std::size_t dot = name.find('.');
     const auto path = path_beside(plan.shape, folder, name.substr(0, dot),
                                   name.substr(std::min(dot, name.size() - 1) + 1));
-    if (path && !fs::exists(*path)) write_file(*path, bytes, failure, context);
+    if (path && !fs::is_regular_file(*path)) write_file(*path, bytes, failure, context);
   }
 }
 
