@@ -31,6 +31,26 @@ void check_verb(const CLI::App& app, const std::string& word) {
                      nearest.empty() ? "see craze --help" : "did you mean " + nearest + "?");
 }
 
+/// Where an option of the verb is misspelt: "unknown option --presett (craze crack): did you mean
+/// --preset?", else "".
+std::string misspelt_option(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* verb = &app;
+  while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
+  std::vector<std::string> known;
+  for (const CLI::Option* option : verb->get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i], option = word.substr(0, word.find('='));
+    if (!option.starts_with("--") || option == "--") continue;
+    if (std::find(known.begin(), known.end(), option) != known.end()) continue;
+    const std::string nearest = craze::nearest_name(option, known);
+    if (nearest.empty()) continue;
+    return "unknown option " + option + " (" + said_to(app) + "): did you mean " + nearest + "?";
+  }
+  return "";
+}
+
 int run_command(int argc, char** argv, MessageStyle style) {
   CLI::App app{"Grows surface crack patterns on triangle meshes: mud, glaze, glass, paint.",
                "craze"};
@@ -65,6 +85,11 @@ int run_command(int argc, char** argv, MessageStyle style) {
     const std::string text = help.str();
     return print(text.back() == '\n' ? text : text + "\n");
   } catch (const CLI::ParseError& e) {
+    const bool has_more = dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr;
+    if (const std::string said = has_more ? misspelt_option(app, argc, argv) : ""; !said.empty()) {
+      print_error(style, said);
+      return wrong_usage;
+    }
     const std::string verb = said_to(app);
     print_error(style, "wrong usage (" + verb + "): " + e.what() + "; see " + verb + " --help");
     return wrong_usage;

@@ -9,6 +9,9 @@ class Errors : public CommandTest {};
 TEST_F(Errors, WrongUsageExitsWithTwo) {
   expect_error({}, 2, "craze --help");
   expect_error({"crakc"}, 2, "did you mean crack?");
+  expect_error({"crack", "shape:plate", "--presett", "mud"}, 2, "did you mean --preset?");
+  expect_error({"crack", "shape:plate", "--ouput=a.ply"}, 2, "did you mean --output?");
+  expect_error({"dataset", "verify", "set", "--quite"}, 2, "did you mean --quiet?");
   expect_error({"crack"}, 2, "craze crack --help");
   expect_error({"crack", "shape:plate", "--frobnicate"}, 2, "--frobnicate");
   expect_error({"crack", "shape:plate"}, 2, "-o FILE");

@@ -227,6 +227,7 @@ TEST(Shapes, MistakesAreNamedWithTheNearestKnownWord) {
   EXPECT_NE(message_of("plate?n=nan").find("'nan'"), std::string::npos);
   EXPECT_NE(message_of("torus?minor=2").find("minor"), std::string::npos);
   EXPECT_NE(message_of("").find("Known"), std::string::npos);
+  EXPECT_NE(message_of("plate?n=3&n=4").find("'n' is given twice"), std::string::npos);
 }
 
 TEST(Shapes, HelpListsEveryShapeAndParameter) {

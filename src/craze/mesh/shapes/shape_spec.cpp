@@ -4,6 +4,7 @@
 #include <cmath>
 #include <locale>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 #include "craze/error.h"
@@ -79,6 +80,7 @@ ShapeSpec parse_shape(std::string_view specification) {
   const auto& parameters = spec.shape->parameters;
   for (const ShapeParameter& p : parameters) spec.values[p.name] = p.standard;
 
+  std::set<std::string_view> given;
   std::string_view rest = specification.substr(std::min(mark + 1, specification.size()));
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('&'), rest.size());
@@ -89,6 +91,10 @@ ShapeSpec parse_shape(std::string_view specification) {
     const auto p = std::find_if(parameters.begin(), parameters.end(),
                                 [&](const ShapeParameter& x) { return x.name == key; });
     if (p == parameters.end()) unknown("shape parameter", key, specification, parameters);
+    if (!given.insert(p->name).second) {
+      throw Error(ErrorKind::usage, quoted(key) + " is given twice",
+                  "shape:" + std::string(specification), "leave one of them out");
+    }
     spec.values[p->name] =
         parse_value(*p, pair.substr(std::min(equals + 1, pair.size())), specification);
   }
