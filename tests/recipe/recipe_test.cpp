@@ -151,6 +151,8 @@ TEST(Recipe, UnknownKeysNameThePlaceAndTheNearestKnownOne) {
   EXPECT_NE(read_error("[materials]\nalpha = 1").find("did you mean material.alpha?"),
             std::string::npos);
   EXPECT_NE(read_error("alpha = 1").find("did you mean material.alpha?"), std::string::npos);
+  EXPECT_NE(read_error("[[impacts]]\nradius = 1").find("did you mean impact?"), std::string::npos);
+  EXPECT_NE(read_error("preset = \"mud\"").find("give --preset"), std::string::npos);
   EXPECT_NE(read_error("[[impact]]\nradus = 1").find("did you mean impact.radius?"),
             std::string::npos);
   EXPECT_NE(read_error("zzzzzzzzz = 1").find("craze parameters"), std::string::npos);

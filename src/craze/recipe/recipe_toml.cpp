@@ -26,7 +26,12 @@ constexpr std::string_view impact_prefix = "impact.";
 }
 
 [[noreturn]] void fail_unknown(const std::string& key, const std::string& where) {
-  std::vector<std::string> keys;
+  if (key == "preset") {
+    fail("unknown key preset", where,
+         "a recipe names no preset: give --preset, or begin with the text that craze presets NAME "
+         "prints");
+  }
+  std::vector<std::string> keys{"impact"};
   for (const Parameter& p : parameter_table()) keys.push_back(p.key);
   const std::string nearest = nearest_name(key, keys);
   fail("unknown key " + key, where,
