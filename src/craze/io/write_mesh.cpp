@@ -62,9 +62,11 @@ void check_options(const MeshFormat* format, const std::string& where, bool obje
 }
 
 /// Kinds of a scene's contents that the format keeps of that scene.
-std::vector<std::string> kept_kinds(const MeshFormat& format, bool has_own_objects) {
+std::vector<std::string> kept_kinds(const MeshFormat& format, const SourceScene& scene,
+                                    bool has_own_objects) {
   std::vector<std::string> kept;
-  if (format.name == "ply")
+  // Other formats' materials have no place in a PLY, and their pictures none without them.
+  if (format.name == "ply" && dynamic_cast<const PlyScene*>(&scene))
     kept = {"comments", "obj_info lines", "pictures of materials", "textures that were not read"};
   if (format.name == "usda") {
     kept = {"materials",
@@ -115,7 +117,7 @@ void warn_of_lost(const MeshFormat& format, const SurfaceMesh& mesh,
   if (!options.objects.empty()) target += " with fragments as objects";
   std::vector<SceneContent> contents = options.scene->contents();
   name_the_only_ones(contents);
-  std::vector<std::string> kept = kept_kinds(format, !options.objects.empty());
+  std::vector<std::string> kept = kept_kinds(format, *options.scene, !options.objects.empty());
   if (format.name == "glb" && keeps_nodes(mesh, options)) {
     target += " of another surface than the input's";
     for (const char* kind :
@@ -134,7 +136,7 @@ void warn_of_lost(const MeshFormat& format, const SurfaceMesh& mesh,
     else
       lost += ", ";
     lost += "what materials have besides ";
-    lost += is_obj ? "a base colour and its texture"
+    lost += is_obj ? "a base colour and its texture at the first UVs"
                    : "colour, metalness, roughness, normals, occlusion, emission and "
                      "opacity with their textures at the first UVs";
   }

@@ -208,6 +208,18 @@ TEST(LooksLibrary, IsNotWrittenWhereTheMeshCannotBe) {
   EXPECT_TRUE(fs::is_empty(shelf.out));
 }
 
+TEST(ObjScene, PicturesAreNamedWhereAFormatHasNoPlaceForThem) {
+  const Shelf shelf;
+  const MeshFile file = shelf.read();
+  for (const char* format : {"ply", "stl", "glb"}) {
+    std::string said;
+    MeshFileOptions options{.scene = file.scene};
+    options.warn = [&](const std::string& sentence) { said += sentence; };
+    format_mesh(file.mesh, format, options);
+    EXPECT_EQ(holds(said, "1 pictures of materials"), std::string(format) != "glb") << said;
+  }
+}
+
 TEST(ObjScene, ALibraryThatIsNotThereIsNamed) {
   const MeshFile file = read_mesh(cup, "cup.obj");
   ASSERT_EQ(file.warnings.size(), 1u);
