@@ -122,6 +122,9 @@ TEST(LeftOut, GltfSaysNothingWhereNothingIsLost) {
         holds(lost(format, Json::object(), Json::parse(R"({"extensions": {"KHR_materials_clearcoat":
                                         {"clearcoatFactor": 1}}})")),
               "what materials have besides"));
+    EXPECT_TRUE(holds(
+        lost(format, Json::object(), Json::parse(R"({"extensions": {"KHR_materials_unlit": {}}})")),
+        "what materials have besides"));
   }
   const Json metal = Json::parse(R"({"pbrMetallicRoughness": {"metallicFactor": 0.5}})");
   EXPECT_TRUE(holds(lost("obj", Json::object(), metal), "what materials have besides"));

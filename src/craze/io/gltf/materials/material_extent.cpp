@@ -50,8 +50,12 @@ bool says_more_alone(const Json& material, MaterialExtent extent) {
     extensions = {"KHR_materials_transmission", "KHR_materials_emissive_strength"};
   }
   const auto own = material.find("extensions");
-  const bool has_extensions = own != material.end() && own->is_object();
-  if (has_extensions && has_further(*own, extensions)) return true;
+  if (own != material.end() && own->is_object()) {
+    // An empty one says something by being there: KHR_materials_unlit.
+    for (const auto& [name, value] : own->items()) {
+      if (!is_among(name, extensions)) return true;
+    }
+  }
   known.emplace_back("extensions");
   if (has_further(material, known)) return true;
   for (const auto& [key, value] : material.items()) {
