@@ -193,6 +193,15 @@ TEST_F(Verbs, LengthsOfOptionsTakeUnits) {
   const std::string wide = with(crack, {"--line-width", "0.03"});
   EXPECT_EQ(with(crack, {"--line-width", "0.3mm"}), wide);
   EXPECT_NE(with(crack, {"--line-width", "0.2mm"}), wide);
+  const std::vector<std::string> glb{
+      "crack", "shape:plate?n=6", "--set", "mesh.unit=cm", "--max-cracks", "0", "-o", "a.glb"};
+  for (const std::vector<std::string>& as :
+       {std::vector<std::string>{}, {"--as", "maps", "--map-size", "16"}}) {
+    std::vector<std::string> words = glb;
+    words.insert(words.end(), as.begin(), as.end());
+    const CommandResult result = run(words);
+    EXPECT_NE(result.err.find("0.01 m, is 1 m in the .glb"), std::string::npos) << result.err;
+  }
   const std::vector<std::string> render{"render", "a.ply", "-o", "p.png"};
   const double diagonal = std::sqrt(2.0);
   EXPECT_EQ(with(render, {"--line-width", "3%"}),

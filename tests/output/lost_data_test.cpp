@@ -67,6 +67,31 @@ TEST(LostData, IsNamedBesideWhatTheSceneTellsOf) {
   }
 }
 
+TEST(RoundedData, AreWholeNumbersBeyondSinglePrecision) {
+  SurfaceMesh mesh = full();
+  mesh.vertex_attributes = {{"id", 1, {1, 2, 16777217}},
+                            {"small", 1, {1, 2, 16777216}},
+                            {"heat", 1, {0.1, 0.2, 1e-9}},
+                            {"crack_time", 1, {0, 0, 16777217}}};
+  EXPECT_EQ(describe_rounded_data(mesh, "glb"),
+            "whole numbers of vertex attributes are rounded, since .glb holds single precision: "
+            "'id'");
+  for (const char* format : {"ply", "usda", "obj", "stl"}) {
+    EXPECT_EQ(describe_rounded_data(mesh, format), "") << format;
+  }
+}
+
+TEST(Unit, IsTheMetreInGlbAlone) {
+  EXPECT_EQ(
+      describe_unit(0.001, "glb"),
+      "glTF is in metres (mesh.unit): one unit of the mesh, 0.001 m, is 1 m in the .glb; scale "
+      "it by 0.001 where it is used");
+  EXPECT_EQ(describe_unit(1, "glb"), "");
+  EXPECT_EQ(describe_unit(0, "glb"), "") << "not known";
+  for (const char* format : {"ply", "obj", "stl", "usda"})
+    EXPECT_EQ(describe_unit(0.001, format), "");
+}
+
 TEST(LostData, OfASurfaceWithoutAnyIsNone) {
   SurfaceMesh bare;
   bare.positions = full().positions;

@@ -13,6 +13,7 @@
 #include "craze/job/maps/scene_uvs.h"
 #include "craze/mesh/corners_on_surface.h"
 #include "craze/mesh/morph_animation.h"
+#include "craze/output/lost_data.h"
 #include "craze/output/write_surface.h"
 #include "craze/products/crack_lines.h"
 #include "craze/products/cut_surface.h"
@@ -151,8 +152,12 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   }
   context.check();
   if (request.as_maps) {
-    const MappedOutput mapped{request.output, request.maps.options.size,
-                              result.report().recipe.post, request.stain};
+    const Recipe& recipe = result.report().recipe;
+    const std::string scaled =
+        describe_unit(metres_per_unit(*result.state().surface, recipe), "glb");
+    if (!scaled.empty()) warn(scaled);
+    const MappedOutput mapped{request.output, request.maps.options.size, recipe.post,
+                              request.stain};
     report.output =
         write_mapped(result, uvs ? &*uvs : nullptr, beside.source.scene, mapped, warn, context);
   }

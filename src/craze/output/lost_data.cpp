@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "craze/io/source_scene.h"
@@ -33,7 +34,28 @@ void name_attributes(const std::vector<Attribute>& attributes, const char* of, b
   }
 }
 
+/// Attributes whose whole numbers single precision rounds, such as the ids of a large scan.
+std::vector<std::string> rounded_attributes(const std::vector<Attribute>& attributes) {
+  std::vector<std::string> names;
+  for (const Attribute& a : attributes) {
+    const bool is_rounded = std::any_of(a.values.begin(), a.values.end(), [](double x) {
+      return x == std::floor(x) && static_cast<double>(static_cast<float>(x)) != x;
+    });
+    if (is_rounded && !is_run_attribute(a.name)) names.push_back("'" + a.name + "'");
+  }
+  return names;
+}
+
 }  // namespace
+
+std::string describe_rounded_data(const SurfaceMesh& surface, std::string_view format) {
+  if (format != "glb") return {};
+  const std::vector<std::string> rounded = rounded_attributes(surface.vertex_attributes);
+  if (rounded.empty()) return {};
+  return fmt::format(
+      "whole numbers of vertex attributes are rounded, since .glb holds single precision: {}",
+      fmt::join(rounded, ", "));
+}
 
 std::string describe_lost_data(const SurfaceMesh& surface, std::string_view format,
                                const SourceScene* scene) {
@@ -57,6 +79,15 @@ std::string describe_lost_data(const SurfaceMesh& surface, std::string_view form
   if (lost.empty()) return {};
   return fmt::format("not kept of the surface, since .{} has no place for them: {}", format,
                      fmt::join(lost, ", "));
+}
+
+std::string describe_unit(double metres_per_unit, std::string_view format) {
+  if (format != "glb" || metres_per_unit == 0 || metres_per_unit == 1) return {};
+  return fmt::format(
+      "glTF is in metres (mesh.unit): one unit of the mesh, {0:g} m, is 1 m in the .glb; scale it "
+      "by "
+      "{0:g} where it is used",
+      metres_per_unit);
 }
 
 std::string describe_replaced_data(const SurfaceMesh& surface) {

@@ -16,6 +16,15 @@ class SourceScene;  // read_mesh.h
 std::string describe_lost_data(const SurfaceMesh& surface, std::string_view format,
                                const SourceScene* scene);
 
+/// One sentence that names the vertex attributes of which a file of that format holds other whole
+/// numbers than the surface, such as ids beyond 2^24 in single precision; empty where there are
+/// none.
+std::string describe_rounded_data(const SurfaceMesh& surface, std::string_view format);
+
+/// One sentence where a file of that format has lengths of another size than the surface, one unit
+/// of which is so many metres (0: not known); else empty.
+std::string describe_unit(double metres_per_unit, std::string_view format);
+
 /// One sentence that names the surface's own attributes whose names a run's take (those of a
 /// cracked file that is cracked again, say); empty where there are none.
 std::string describe_replaced_data(const SurfaceMesh& surface);

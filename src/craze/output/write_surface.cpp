@@ -44,6 +44,8 @@ void tell_lost(const std::string& path, const SurfaceMesh& surface, const Source
   if (!extension.empty()) format = std::string_view(extension).substr(1);
   const std::string lost = describe_lost_data(surface, format, source.scene.get());
   if (!lost.empty()) options.warn(lost);
+  const std::string rounded = describe_rounded_data(surface, format);
+  if (!rounded.empty()) options.warn(rounded);
 }
 
 /// Whether only the origin of its faces ties the mesh to what else the file had.
@@ -78,6 +80,8 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Opene
   file.up = up_axis(recipe.picture.up, source);
   file.metres_per_unit = metres_per_unit(mesh, recipe);
   const std::string extension = lower_extension(path);
+  const std::string scaled = describe_unit(file.metres_per_unit, extension.substr(1));
+  if (options.warn && !scaled.empty()) options.warn(scaled);
   // A scene that is kept has its own vertices.
   const bool keeps = keeps_scene_of(path, source);
   const SurfaceMesh* lost = result.state().lost_values.get();
