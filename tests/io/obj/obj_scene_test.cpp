@@ -220,6 +220,17 @@ TEST(ObjScene, PicturesAreNamedWhereAFormatHasNoPlaceForThem) {
   }
 }
 
+TEST(ObjScene, NamesNeverJoinTheNextLine) {
+  SurfaceMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.face_materials = mesh.face_objects = {0};
+  mesh.material_names = mesh.object_names = {"clay\\"};
+  const std::string text = format_mesh(mesh, "obj");
+  EXPECT_TRUE(holds(text, "o clay_\nusemtl clay_\nf 1 2 3\n")) << text;
+  EXPECT_EQ(mtl_names(mesh), std::vector<std::string>{"clay_"});
+}
+
 TEST(ObjScene, ALibraryThatIsNotThereIsNamed) {
   const MeshFile file = read_mesh(cup, "cup.obj");
   ASSERT_EQ(file.warnings.size(), 1u);

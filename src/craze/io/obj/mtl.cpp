@@ -152,14 +152,19 @@ std::vector<MtlMaterial> parse_mtl(std::string_view text) {
   return Parser().parse(text);
 }
 
+std::string one_line_name(std::string name) {
+  for (char& c : name) {
+    if (c == '\n' || c == '\r' || c == '\t') c = '_';
+  }
+  if (name.ends_with('\\')) name.back() = '_';
+  return name;
+}
+
 std::vector<std::string> mtl_names(const SurfaceMesh& mesh) {
   std::vector<std::string> names;
   std::set<std::string> taken;
   for (const std::string& given : mesh.material_names) {
-    std::string name = given;
-    for (char& c : name) {
-      if (c == '\n' || c == '\r' || c == '\t') c = '_';
-    }
+    std::string name = one_line_name(given);
     if (name.empty()) name = "material_" + std::to_string(names.size());
     const std::string wanted = name;
     for (int n = 2; !taken.insert(name).second; ++n) name = wanted + "_" + std::to_string(n);

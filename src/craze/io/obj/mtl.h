@@ -32,6 +32,10 @@ struct MtlMaterial {
 /// Lines that say nothing that can be understood are passed over. Keywords may be in capitals.
 std::vector<MtlMaterial> parse_mtl(std::string_view text);
 
+/// A name as it may end a line of OBJ and MTL: without line ends, nor a backslash at its end, which
+/// would join the next line to it.
+std::string one_line_name(std::string name);
+
 /// What the materials of a mesh are called: one line each, and no two alike.
 std::vector<std::string> mtl_names(const SurfaceMesh& mesh);
 

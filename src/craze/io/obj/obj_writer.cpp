@@ -21,13 +21,6 @@ namespace {
 /// From here on, an alpha is 1 but for rounding.
 constexpr float opaque = 1 - 1.0f / 512;
 
-std::string one_line(std::string name) {
-  for (char& c : name) {
-    if (c == '\n' || c == '\r' || c == '\t') c = '_';
-  }
-  return name;
-}
-
 /// An object of the mesh as OBJ says it; "" where it does not.
 struct ObjectNames {
   std::string o, g;
@@ -36,7 +29,8 @@ struct ObjectNames {
 ObjectNames names_of(const SurfaceMesh& mesh, std::int32_t object, const ObjScene* scene) {
   if (object < 0) return {};
   const auto number = static_cast<std::size_t>(object);
-  if (!scene || number >= scene->objects.size()) return {one_line(mesh.object_names[number]), ""};
+  if (!scene || number >= scene->objects.size())
+    return {one_line_name(mesh.object_names[number]), ""};
   return {scene->objects[number].first, scene->objects[number].second};
 }
 
