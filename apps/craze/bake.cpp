@@ -77,7 +77,10 @@ void add_bake(CLI::App& app, Action& action) {
       "  craze bake cracked.ply -o maps --set post.gap_width=1mm --set post.late_width=0.3\n"
       "  craze bake cracked.glb -o maps --map-format exr --map-green down\n"
       "PLY knows the cracks' widths, times and pieces; OBJ and STL know where they run.");
-  verb->callback([options, &action] { action = [options] { return bake(*options); }; });
+  verb->callback([options, verb, &action] {
+    check_needs(*verb, {green_need(options->maps)});
+    action = [options] { return bake(*options); };
+  });
 }
 
 }  // namespace craze::app

@@ -79,7 +79,8 @@ std::vector<OptionNeed> needs_of(const CLI::App& verb, const Options& options) {
                 {{"--stages"}, "--animate", animated},
                 {{"--seconds"}, "--animate or --video", [=] { return animated() || video(); }},
                 {{"--frame-count"}, "--frames or --video", [=] { return frames() || video(); }},
-                {{"--frame-format"}, "--frames", frames}});
+                {{"--frame-format"}, "--frames", frames},
+                green_need(request.maps)});
   return needs;
 }
 

@@ -1,5 +1,7 @@
 #include "map_options.h"
 
+#include <algorithm>
+
 #include "color_option.h"
 #include "craze/base/srgb.h"
 
@@ -68,6 +70,15 @@ void add_texture_map_options(CLI::App& verb, MapsRequest& maps, const char* grou
                   ", or of those of craze bake; base_color, normal, height, occlusion, roughness, "
                   "mask and fragment where none is named",
               "--size,--map-size");
+}
+
+OptionNeed green_need(const MapsRequest& maps) {
+  return {{"--map-green"}, "--map normal or --map direction", [&maps] {
+            const std::vector<MapKind>& kinds = maps.options.maps;
+            return kinds.empty() || std::any_of(kinds.begin(), kinds.end(), [](MapKind kind) {
+                     return map_info(kind).values == MapValues::vector;
+                   });
+          }};
 }
 
 void add_stain_option(CLI::App& verb, CrackStain& stain, const char* group) {

@@ -65,7 +65,10 @@ void add_texture(CLI::App& app, Action& action) {
       "  craze texture glaze -o celadon --period 20cm --set layer.spacing=12mm --seed 7\n"
       "  craze texture paint -o paint --map base_color --map normal --map-green down\n"
       "The pattern has no border: tiles of one seed continue each other on every side.");
-  verb->callback([options, &action] { action = [options] { return texture(*options); }; });
+  verb->callback([options, verb, &action] {
+    check_needs(*verb, {green_need(options->request.maps)});
+    action = [options] { return texture(*options); };
+  });
 }
 
 }  // namespace craze::app

@@ -138,6 +138,7 @@ TEST_F(Errors, OptionsThatWouldDoNothingAreRefused) {
       {{"--map", "height"}, "--maps"},
       {{"--map-green", "down"}, "--maps"},
       {{"--as", "maps", "--map-format", "exr"}, "--maps"},
+      {{"--maps", "m", "--map", "mask", "--map-green", "down"}, "--map normal or --map direction"},
       {{"--map-size", "64"}, "--maps or --as maps"},
       {{"--maps", "m", "--stain", "3b2314"}, "--as maps"},
       {{"--stages", "8"}, "--animate"},
@@ -150,6 +151,11 @@ TEST_F(Errors, OptionsThatWouldDoNothingAreRefused) {
     expect_error(arguments, 2, "give " + needed + " too, or leave it out");
   }
   expect_error({"render", "missing.obj", "-o", "a.png", "--focus", "0", "0", "1"}, 2, "--aperture");
+  for (const char* verb : {"bake", "texture"}) {
+    const std::string input = std::string(verb) == "bake" ? "missing.ply" : "mud";
+    const Words height{verb, input, "-o", "m", "--map", "height", "--map-green", "down"};
+    expect_error(height, 2, "--map normal or --map direction");
+  }
   // Which say something of files, or of the recipe in the report.
   EXPECT_EQ(run({"crack", "shape:plate?n=4", "-o", "a.glb", "--up", "y", "--material", "mud",
                  "--max-cracks", "0"})

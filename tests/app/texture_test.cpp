@@ -43,6 +43,15 @@ TEST_F(TextureFiles, AreThoseOfTheMaterialAndAreDescribed) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file("set")), {}), 8);
 }
 
+TEST_F(TextureFiles, NameKeysThatATileHasNoUseFor) {
+  const CommandResult result =
+      texture("set", {"--no-previews", "--map", "mask", "--set", "post.thickness=0.1", "--set",
+                      "post.core=true", "--set", "mesh.edge=keep"});
+  EXPECT_EQ(result.err,
+            "craze: warning: a tile is flat and in one piece: what does nothing (mesh.edge, "
+            "post.thickness, post.core)\n");
+}
+
 TEST_F(TextureFiles, AreTheSameBytesOnAnyNumberOfThreadsAndOthersWithAnotherSeed) {
   ASSERT_EQ(texture("one", {"--threads", "1"}).code, 0);
   ASSERT_EQ(texture("three", {"--threads", "3", "--no-previews"}).code, 0);

@@ -77,6 +77,20 @@ void roughen_tile(CrackedTile& tile, const Context& context) {
   tile.network = tile.rough->network;
 }
 
+/// Of keys that only a mesh has a use for.
+void warn_of_idle_keys(Report& report, const Recipe& recipe) {
+  const PostParameters usual;
+  std::vector<const char*> keys;
+  if (recipe.mesh.edge.kind == EdgeLength::Kind::keep) keys.push_back("mesh.edge");
+  if (recipe.post.thickness.number() > 0) keys.push_back("post.thickness");
+  if (recipe.post.wedge != usual.wedge) keys.push_back("post.wedge");
+  if (recipe.post.core != usual.core) keys.push_back("post.core");
+  if (recipe.post.collider != usual.collider) keys.push_back("post.collider");
+  if (keys.empty()) return;
+  report.warnings.push_back(fmt::format("a tile is flat and in one piece: what does nothing ({})",
+                                        fmt::join(keys, ", ")));
+}
+
 }  // namespace
 
 TileSize read_tile_size(const std::string& period) {
@@ -137,6 +151,7 @@ CrackedTile crack_tile(const Recipe& recipe, const TileSize& size, const Context
   report.stop_reason = to_string(run.last.reason);
   report.load = simulation.load();
   add_run_warnings(report, run.last, simulation);
+  warn_of_idle_keys(report, recipe);
   report.time.total =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return tile;
