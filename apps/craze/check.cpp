@@ -198,7 +198,9 @@ void add_check(CLI::App& app, Action& action) {
       const MeshFile file = load_surface(options->input);
       if (!options->no_warnings) print_warnings({}, file.warnings);
       const Checked checked = check(options->input, file);
-      return print(options->json ? as_json(checked).dump(2) + "\n" : as_text(checked));
+      if (!options->json) return print(as_text(checked));
+      constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+      return print(as_json(checked).dump(2, ' ', false, replace) + "\n");
     };
   });
 }

@@ -187,8 +187,7 @@ char* craze_job_report(const craze_job* job, craze_error* error) {
 }
 
 char* craze_job_summary(const craze_job* job, craze_error* error) {
-  return guarded(
-      error, [&] { return copy_text(report_to_json(result_of(job).report(), nullptr).dump(2)); });
+  return guarded(error, [&] { return copy_text(report_text(result_of(job).report(), nullptr)); });
 }
 
 char* craze_job_statistics(const craze_job* job, craze_error* error) {

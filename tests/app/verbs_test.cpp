@@ -79,6 +79,17 @@ TEST_F(Verbs, CheckListsWhatARecipeCanName) {
   EXPECT_EQ(json["suggested_spacing"], 0.085);
 }
 
+TEST_F(Verbs, JsonIsUtf8WhateverNamesTheInputHas) {
+  std::ofstream(file("latin.ply"))
+      << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nproperty float caf\xe9\nelement face 1\n"
+         "property list uchar int vertex_indices\nend_header\n0 0 0 1\n1 0 0 2\n0 1 0 3\n3 0 1 2\n";
+  EXPECT_TRUE(nlohmann::json::accept(run({"check", "latin.ply", "--json"}).out));
+  ASSERT_EQ(run({"crack", "latin.ply", "-o", "a.obj", "--report", "r.json"}).code, 0);
+  const auto report = nlohmann::json::parse(read_text(file("r.json")));
+  EXPECT_NE(report["warnings"].dump().find("vertex attribute 'caf"), std::string::npos);
+}
+
 TEST_F(Verbs, CheckShowsLengthsOfAFileWithAUnitInThatUnit) {
   ASSERT_EQ(run({"crack", "shape:plate?n=4", "-o", "plate.glb", "--max-cracks", "0"}).code, 0);
   const std::string text = run({"check", "plate.glb"}).out;

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "craze/engine.h"
 #include "craze/engine/cracked_surface.h"
@@ -121,8 +120,7 @@ RunResult run(const RunRequest& request, const Context& context) {
   writing.check();
   report.time.write = phase.lap();
   report.time.total = total.lap();
-  const nlohmann::ordered_json json = report_to_json(report, statistics ? &*statistics : nullptr);
-  RunResult done{report, json.dump(2) + "\n", stopped};
+  RunResult done{report, report_text(report, statistics ? &*statistics : nullptr) + "\n", stopped};
   if (!request.report.empty() && request.report != "-") {
     write_file(request.report, done.report_text, "cannot write the report", writing);
   }

@@ -82,9 +82,9 @@ std::vector<double> GrowthClip::openness_at(double time) const {
 
 std::string report_json(const Result& result, const Context& context) {
   const CrackedSurface& state = result.state();
-  if (state.network.edges.empty()) return report_to_json(result.report(), nullptr).dump(2);
+  if (state.network.edges.empty()) return report_text(result.report(), nullptr);
   const StatisticsWithSensitivity statistics = statistics_of(state, context);
-  return report_to_json(result.report(), &statistics).dump(2);
+  return report_text(result.report(), &statistics);
 }
 
 std::string statistics_json(const Result& result, const Context& context) {

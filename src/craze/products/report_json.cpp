@@ -67,4 +67,9 @@ nlohmann::ordered_json report_to_json(const Report& r,
           {"recipe", recipe}};
 }
 
+std::string report_text(const Report& report, const StatisticsWithSensitivity* statistics) {
+  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  return report_to_json(report, statistics).dump(2, ' ', false, replace);
+}
+
 }  // namespace craze

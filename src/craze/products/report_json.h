@@ -19,4 +19,7 @@ nlohmann::ordered_json report_to_json(const Report& report,
 /// What repair found and did, one number per kind.
 nlohmann::ordered_json repair_to_json(const RepairReport& repair);
 
+/// That as indented text, valid UTF-8 whatever bytes the input's names are.
+std::string report_text(const Report& report, const StatisticsWithSensitivity* statistics);
+
 }  // namespace craze
