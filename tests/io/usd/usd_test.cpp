@@ -36,6 +36,11 @@ const UsdPrim& surface(const UsdPrim& root) {
   return root.at("craze").at("surface");
 }
 
+TEST(Usda, StringsAreUtf8OnOneLine) {
+  EXPECT_EQ(usd_string("T\u00fcr \\ \"\n"), "\"T\u00fcr \\\\ \\\" \"");
+  EXPECT_EQ(usd_string("caf\xe9!\xc3"), "\"caf\ufffd!\ufffd\"");
+}
+
 TEST(Usda, HoldsTheTrianglesAndTheirPoints) {
   const SurfaceMesh mesh = rich();
   const UsdPrim root = parse_usda(format_mesh(mesh, "usda"));

@@ -3,7 +3,10 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+
+#include "craze/base/text/utf8.h"
 
 namespace craze {
 
@@ -40,10 +43,19 @@ std::string UsdNames::take(std::string_view name) {
 }
 
 std::string usd_string(std::string_view text) {
+  constexpr std::string_view no_character = "\xef\xbf\xbd";  // U+FFFD
   std::string quoted = "\"";
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    const char c = text[i];
     if (c == '"' || c == '\\') quoted += '\\';
-    quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    if (length == 0)
+      quoted += no_character;
+    else if (static_cast<unsigned char>(c) < 0x20)
+      quoted += ' ';
+    else
+      quoted += text.substr(i, length);
+    i += std::max<std::size_t>(length, 1);
   }
   return quoted + '"';
 }

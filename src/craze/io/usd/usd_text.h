@@ -19,7 +19,7 @@ class UsdNames {
   std::set<std::string> taken_;
 };
 
-/// In double quotes, on one line.
+/// In double quotes, on one line, what is no UTF-8 as U+FFFD.
 std::string usd_string(std::string_view text);
 
 /// A path between @ signs, three of them where it has one itself; no control characters.
