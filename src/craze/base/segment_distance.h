@@ -15,9 +15,14 @@ inline double nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return length > 0 ? std::clamp((p - a).dot(d) / length, 0.0, 1.0) : 0.0;
 }
 
+/// The point of the segment ab that is nearest to p.
+inline Vec3 nearest_point(const Vec3& p, const Vec3& a, const Vec3& b) {
+  return a + nearest_on_segment(p, a, b) * (b - a);
+}
+
 /// The square of point_segment_distance().
 inline double squared_point_segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
-  return (a + nearest_on_segment(p, a, b) * (b - a) - p).squaredNorm();
+  return (nearest_point(p, a, b) - p).squaredNorm();
 }
 
 inline double point_segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include "craze/base/random.h"
 #include "craze/base/segment_distance.h"
@@ -75,6 +77,70 @@ TEST(CrackDistance, OnACylinderItIsMeasuredRoundTheCylinder) {
     const double steps = std::round(angle * n / (2 * std::numbers::pi));
     EXPECT_NEAR(distance[v], steps * side, 1e-9);
   }
+}
+
+/// Lengths of the shortest ways from cracks to vertices over straight lines between points on
+/// edges, five on each: some hundredths longer than the shortest of all ways.
+std::vector<double> lengths_of_ways(const TriangleMesh& mesh) {
+  constexpr int each = 5;
+  const auto points_of = [&](std::int32_t f) {
+    std::vector<std::int32_t> points;
+    for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
+      const std::int32_t o = mesh.is_open(h) ? h : mesh.opposite(h);
+      points.push_back(mesh.from(h));
+      for (int i = 0; i < each; ++i)
+        points.push_back(mesh.vertex_count() + each * std::min(h, o) + (h <= o ? i : each - 1 - i));
+    }
+    return points;
+  };
+  std::vector<Vec3> positions(mesh.vertex_count() + 3 * each * mesh.face_count());
+  std::vector<std::vector<std::int32_t>> faces_at(positions.size());
+  std::vector<double> length(positions.size(), infinity);
+  std::set<std::pair<double, std::int32_t>> front;
+  for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
+    const std::vector<std::int32_t> points = points_of(f);
+    for (int k = 0; k < 3 * (each + 1); ++k) {
+      const std::int32_t h = 3 * f + k / (each + 1), p = points[k];
+      const Vec3 &from = mesh.position(mesh.from(h)), &to = mesh.position(mesh.to(h));
+      positions[p] = from + (k % (each + 1)) / (each + 1.0) * (to - from);
+      faces_at[p].push_back(f);
+      const bool on_crack = mesh.crack_of(h) >= 0 ||
+                            (k % (each + 1) == 0 && mesh.crack_of(TriangleMesh::prev(h)) >= 0);
+      if (!on_crack) continue;
+      length[p] = 0;
+      front.insert({0, p});
+    }
+  }
+  while (!front.empty()) {
+    const auto [so_far, p] = *front.begin();
+    front.erase(front.begin());
+    for (const std::int32_t f : faces_at[p]) {
+      for (const std::int32_t q : points_of(f)) {
+        const double there = so_far + (positions[q] - positions[p]).norm();
+        if (there >= length[q]) continue;
+        front.erase({length[q], q});
+        length[q] = there;
+        front.insert({there, q});
+      }
+    }
+  }
+  length.resize(mesh.vertex_count());
+  return length;
+}
+
+TEST(CrackDistance, OnABumpySurfaceItIsNearTheLengthOfTheShortestWay) {
+  TriangleMesh mesh = grid(24, 24, false, false, [](double s, double t) {
+    return Vec3(s, t, 0.05 * std::sin(15 * s) * std::sin(12 * t + 1));
+  });
+  cut_at_random(mesh, 20, 0, 3);
+  const std::vector<double> distance = crack_distances(mesh, infinity, {});
+  const std::vector<double> length = lengths_of_ways(mesh);
+  double sum = 0, off = 0;
+  for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
+    sum += length[v];
+    off += std::abs(distance[v] - length[v]);
+  }
+  EXPECT_LT(off, 0.05 * sum);
 }
 
 TEST(CrackDistance, ACrackDoesNotShowThroughAThinWall) {

@@ -28,6 +28,8 @@ struct FaceCover {
 ///   matters(face, distance, covered, thing): whether a face takes one that is at least so far from
 ///     all its points, where no point of it is farther than `covered` from one that it has taken;
 ///     false for any larger distance as well, and for any smaller `covered`;
+///   is_hidden(halfedge, thing): whether what the face of the halfedge has taken makes it useless
+///     beyond that edge; true ever after;
 ///   distance_to_edge(halfedge, thing), across(halfedge, thing): in the face of the halfedge, and
 ///     as it is seen from the face beyond;
 ///   accept(face, thing): what to do with it; returns from what no point of the face is farther.
@@ -51,7 +53,8 @@ class FaceSpread {
       queue_.pop();
       const Traveller traveller = pool_[arrival.slot];
       free_.push_back(arrival.slot);
-      if (takes(arrival.face, arrival.distance, traveller.thing)) accept(arrival, traveller);
+      if (takes(arrival.face, arrival.distance, traveller.thing) && !is_late(traveller))
+        accept(arrival, traveller);
     }
     accepted_.clear();
     return true;
@@ -88,6 +91,11 @@ class FaceSpread {
     return true;
   }
 
+  /// Whether what came in before has made it useless.
+  bool is_late(const Traveller& traveller) const {
+    return traveller.entry >= 0 && rules_.is_hidden(traveller.entry, traveller.thing);
+  }
+
   void send(double distance, std::int32_t face, const Traveller& traveller) {
     auto slot = static_cast<std::int32_t>(pool_.size());
     if (free_.empty()) {
@@ -113,7 +121,7 @@ class FaceSpread {
 
   void pass_on(double least, const Carried& thing, std::int32_t h) {
     const std::int32_t o = mesh_.opposite(h), g = TriangleMesh::face_of(o);
-    if (!takes(g, least, thing)) return;
+    if (!takes(g, least, thing) || rules_.is_hidden(h, thing)) return;
     const double distance = std::max(least, rules_.distance_to_edge(h, thing));
     if (!rules_.matters(g, distance, covers_[g].covered, thing)) return;
     send(distance, g, {rules_.across(h, thing), o});

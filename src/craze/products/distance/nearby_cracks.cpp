@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <deque>
+#include <limits>
 
 #include "craze/base/parallel.h"
 #include "craze/base/segment_distance.h"
@@ -24,13 +25,27 @@ Vec3 into_face(const TriangleMesh& mesh, std::int32_t h, const Vec3& along) {
   return length > 1e-12 * side.norm() ? Vec3(across / length) : Vec3(along.unitOrthogonal());
 }
 
+/// Of each corner of a face, the point of the cracks it has taken that is nearest to it.
+using NearestPoints = std::array<Vec3, 3>;
+
+NearestPoints none() {
+  const Vec3 nowhere = Vec3::Constant(std::numeric_limits<double>::infinity());
+  return {nowhere, nowhere, nowhere};
+}
+
 /// How crack edges go over the faces in space.
 class Propagation {
  public:
   using Carried = NearbyCrack;
 
-  Propagation(const TriangleMesh& mesh, double max_distance, const CrackVisit& visit, int worker)
-      : mesh_(mesh), max_distance_(max_distance), visit_(visit), worker_(worker) {}
+  /// `nearest` (#F) as none(), touched for faces that cracks reach.
+  Propagation(const TriangleMesh& mesh, double max_distance, const CrackVisit& visit, int worker,
+              std::vector<NearestPoints>& nearest)
+      : mesh_(mesh),
+        max_distance_(max_distance),
+        visit_(visit),
+        worker_(worker),
+        nearest_(nearest) {}
 
   NearbyCrack source(std::int32_t h) const {
     return {mesh_.position(mesh_.from(h)), mesh_.position(mesh_.to(h)), h};
@@ -40,6 +55,21 @@ class Propagation {
 
   bool matters(std::int32_t, double distance, double covered, const NearbyCrack&) const {
     return distance <= max_distance_ && distance <= covered;
+  }
+
+  /// Whether one point of other cracks is nearer than this one to all of the edge, and so to all
+  /// beyond it. The square of the distance to a point, less that to a segment, is the largest of
+  /// linear functions, one for each point of the segment: less than zero at both ends of the edge,
+  /// it is so between them.
+  bool is_hidden(std::int32_t h, const NearbyCrack& crack) const {
+    constexpr double surely = 1 - 1e-9;
+    const Vec3 &from = mesh_.position(mesh_.from(h)), &to = mesh_.position(mesh_.to(h));
+    const double at_from = surely * squared_point_segment_distance(from, crack.a, crack.b);
+    const double at_to = surely * squared_point_segment_distance(to, crack.a, crack.b);
+    const NearestPoints& nearest = nearest_[h / 3];
+    return std::any_of(nearest.begin(), nearest.end(), [&](const Vec3& p) {
+      return (p - from).squaredNorm() < at_from && (p - to).squaredNorm() < at_to;
+    });
   }
 
   double distance_to_edge(std::int32_t h, const NearbyCrack& crack) const {
@@ -61,8 +91,13 @@ class Propagation {
   double accept(std::int32_t face, const NearbyCrack& crack) {
     const Triangle& t = mesh_.triangle(face);
     CornerDistances distances;
-    for (int i = 0; i < 3; ++i)
-      distances[i] = point_segment_distance(mesh_.position(t[i]), crack.a, crack.b);
+    for (int i = 0; i < 3; ++i) {
+      const Vec3& corner = mesh_.position(t[i]);
+      const Vec3 point = nearest_point(corner, crack.a, crack.b);
+      distances[i] = (point - corner).norm();
+      Vec3& nearest = nearest_[face][i];
+      if (distances[i] < (nearest - corner).norm()) nearest = point;
+    }
     visit_(worker_, face, crack, distances);
     // The distance to a segment is convex, so over the face it is largest at a corner.
     return std::max({distances[0], distances[1], distances[2]});
@@ -73,6 +108,7 @@ class Propagation {
   double max_distance_;
   const CrackVisit& visit_;
   int worker_;
+  std::vector<NearestPoints>& nearest_;
 };
 
 /// The sides of cracks, those of one part of the mesh together: part p has [first[p], first[p+1]).
@@ -137,10 +173,11 @@ void carry_cracks(const TriangleMesh& mesh, const std::vector<std::int32_t>& sid
   if (sides.empty()) return;
   const SidesByPart parts = by_part(mesh, sides);
   std::vector<FaceCover> covers(mesh.face_count());
+  std::vector<NearestPoints> nearest(mesh.face_count(), none());
   const int count = context.threads.count();
   std::deque<PartWorker> workers;
   for (int i = 0; i < count; ++i)
-    workers.emplace_back(mesh, Propagation(mesh, max_distance, visit, i), covers);
+    workers.emplace_back(mesh, Propagation(mesh, max_distance, visit, i, nearest), covers);
   std::vector<char> done(count, 0);
   std::atomic<std::size_t> next = 0;
   const auto work = [&](std::size_t i, std::size_t) {

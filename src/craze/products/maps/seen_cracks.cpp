@@ -41,6 +41,9 @@ class Sight {
     return distance - margin <= covered + margin || distance - margin <= limits_.reach[seen.crack];
   }
 
+  // Within its reach a crack is of use behind others too.
+  bool is_hidden(std::int32_t, const SeenCrack&) const { return false; }
+
   double distance_to_edge(std::int32_t h, const SeenCrack& seen) const {
     return coplanar_segment_distance(lifted(seen.a), lifted(seen.b), lifted(from(h)),
                                      lifted(to(h)));
