@@ -9,7 +9,6 @@ Exits with 1 where the ratio to the paper's scheme has fallen below its bound.
 """
 
 import argparse
-import json
 import math
 import os
 import pathlib
@@ -20,6 +19,8 @@ import sys
 import tempfile
 import time
 
+from timed_runs import Bench, plate
+
 # The paper's scheme on the same recipe: adhesion, strength and all, but Euler steps between cracks.
 # The paper's tips turn by their own separation tensor.
 EULER = ["engine=euler", "evolution.time_step=0.2", "material.relative_lookahead=0"]
@@ -29,43 +30,6 @@ LEAST_RATIO = 14
 
 # One crack at a time, in an equilibrium as good as single-precision corrections make it.
 EXHAUSTIVE = ["evolution.residual=1e-5", "evolution.load_step=0", "crack.stride=0"]
-
-
-class Bench:
-    def __init__(self, craze, repeat, folder):
-        self.craze, self.repeat, self.folder = craze, repeat, pathlib.Path(folder)
-
-    def run(self, source, preset, settings=(), threads=0):
-        """One run that writes a mesh; its report, with peak memory in bytes and the seconds
-        simulated."""
-        report = self.folder / "report.json"
-        command = [self.craze, "crack", source, "--preset", preset, "--quiet",
-                   "--set", "post.relative_roughness=0",
-                   "--report", str(report), "-o", str(self.folder / "cracked.ply")]
-        if threads:
-            command += ["--threads", str(threads)]
-        for s in settings:
-            command += ["--set", s]
-        process = subprocess.Popen(command)
-        _, status, usage = os.wait4(process.pid, 0)
-        if status != 0:
-            sys.exit(f"failed: {' '.join(command)}")
-        r = json.loads(report.read_text())
-        r["memory"] = usage.ru_maxrss * 1024
-        r["simulate"] = sum(r["time"][k] for k in ("relax", "separation", "crack"))
-        return r
-
-    def medians(self, cases):
-        """Runs the cases in turn, `repeat` times; the median report of each by simulated time."""
-        runs = [[] for _ in cases]
-        for _ in range(self.repeat):
-            for i, case in enumerate(cases):
-                runs[i].append(self.run(*case))
-        return [sorted(r, key=lambda x: x["simulate"])[len(r) // 2] for r in runs]
-
-
-def plate(n):
-    return f"shape:plate?n={n}&jitter=0.3"
 
 
 def pattern(r):
