@@ -55,6 +55,20 @@ TEST(Determinism, TheSameBytesWithShrinkageOnAClosedSurface) {
   for (const int threads : {2, 3}) expect_same(reference, run("sphere?n=16", p, threads));
 }
 
+TEST(Determinism, TheSameBytesWhereManyNodesCrackInAStep) {
+  SimulationParameters p;
+  p.material.criterion = Criterion::strength;
+  p.material.relative_toughness = 0.3;
+  p.material.relative_lookahead = 0.4;
+  p.layer.screening_length = 0.06;
+  p.crack.stride = 0.2;
+  p.evolution.max_load = 3;
+  p.evolution.load_step = 0.1;
+  const Simulation reference = run("plate?n=60&jitter=0.3", p, 1);
+  EXPECT_GT(reference.events(), 300);
+  for (const int threads : {2, 3}) expect_same(reference, run("plate?n=60&jitter=0.3", p, threads));
+}
+
 TEST(Determinism, AnotherSeedGivesAnotherPattern) {
   const SimulationParameters p = test::small_run();
   Simulation a = test::simulation_of("plate?n=20&jitter=0.3", p, 1);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>
@@ -71,6 +72,22 @@ TEST(FailureQueue, ANodeWithoutAPositiveMeasureIsNotQueued) {
   EXPECT_TRUE(queue.empty());
   EXPECT_EQ(queue.measure(2), 0);
   EXPECT_EQ(queue.measure(1000), 0);
+}
+
+TEST(FailureQueue, TellsTheNodesFromAMeasureOn) {
+  FailureQueue queue;
+  for (std::int32_t v = 0; v < 100; ++v) queue.set(v, 0.01 * ((37 * v) % 100) + 1);
+  EXPECT_TRUE(queue.from(1).empty());  // nothing is in the heap as yet
+  queue.top();
+  std::vector<std::int32_t> found = queue.from(1.955);
+  std::sort(found.begin(), found.end());
+  std::vector<std::int32_t> expected;
+  for (std::int32_t v = 0; v < 100; ++v) {
+    if (queue.measure(v) >= 1.955) expected.push_back(v);
+  }
+  EXPECT_EQ(expected.size(), 4U);
+  EXPECT_EQ(found, expected);
+  EXPECT_TRUE(queue.from(3).empty());
 }
 
 }  // namespace

@@ -36,6 +36,8 @@ class Stopwatch {
 constexpr double most_idle_work = 3e10;
 // What adding the growth to an element costs, in updates.
 constexpr double growth_cost = 30;
+// Measure times load of a node that fails: advance() raises the load to 1 / measure, rounded.
+constexpr double least_failing = 1 - 1e-12;
 
 /// Asks the context whether to stop, and reports, no more often than is of use.
 class Heartbeat {
@@ -152,7 +154,7 @@ StopReason Simulation::run(const Context& context, const OnOpened& on_opened) {
   while (can_continue(context)) {
     // 3a. Crack the mesh at the node associated with the top of the priority queue.
     const std::size_t known = opened_.size();
-    crack_mesh();
+    crack_mesh(context.threads);
     if (on_opened) tell(on_opened, known);
     // 3b. Evolve the stress field.
     evolve(context);
@@ -197,17 +199,18 @@ bool Simulation::can_continue(const Context& context) {
 }
 
 bool Simulation::fails_now(std::int32_t v) const {
-  // advance() raises the load to 1 / measure, rounded.
-  constexpr double rounding = 1e-12;
-  return !(watch_.measure(v) * loading_->load_of_step() < 1 - rounding);
+  return !(watch_.measure(v) * loading_->load_of_step() < least_failing);
 }
 
-void Simulation::crack_mesh() {
+void Simulation::crack_mesh(const Threads& threads) {
   const Stopwatch watch(times_.crack);
   // Nodes that fail far from each other do not interact: they crack in one step. A node too close
   // to one that is already taken keeps its place in the queue.
   const double apart = relaxation_->independence_distance();
   const std::int64_t most = relaxation_->most_cracks_at_once();
+  if (most > 1 && threads.count() > 1) {
+    watch_.foresee(scene(), least_failing / loading_->load_of_step(), threads);
+  }
   std::vector<Vec3> taken;
   std::vector<std::int32_t> waiting;
   std::int64_t cracked = 0;
@@ -235,6 +238,7 @@ void Simulation::crack_mesh() {
     }
   }
   for (const std::int32_t v : waiting) watch_.take_back(v);
+  watch_.forget_foreseen();
 }
 
 bool Simulation::crack_at(std::int32_t v) {

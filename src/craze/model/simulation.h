@@ -100,7 +100,7 @@ class Simulation {
   bool can_continue(const Context& context);
   bool fails_now(std::int32_t v) const;
   FailureWatch::Scene scene() { return {mesh(), field(), fields_, *loading_, *relaxation_}; }
-  void crack_mesh();
+  void crack_mesh(const Threads& threads);
   bool crack_at(std::int32_t v);
   void tell(const OnOpened& on_opened, std::size_t first) const;
   void run_on(const Vec3& start, const Vec3& normal, const CrackRules& rules);

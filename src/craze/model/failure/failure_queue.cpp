@@ -44,6 +44,21 @@ std::int32_t FailureQueue::top() {
   return heap_.front().node;
 }
 
+std::vector<std::int32_t> FailureQueue::from(double measure) const {
+  std::vector<std::size_t> slots;
+  if (!heap_.empty() && heap_.front().measure >= measure) slots.push_back(0);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const std::size_t first = children * slots[i] + 1;
+    for (std::size_t c = first; c < std::min(first + children, heap_.size()); ++c) {
+      if (heap_[c].measure >= measure) slots.push_back(c);
+    }
+  }
+  std::vector<std::int32_t> nodes;
+  nodes.reserve(slots.size());
+  for (const std::size_t i : slots) nodes.push_back(heap_[i].node);
+  return nodes;
+}
+
 void FailureQueue::push(std::int32_t v, double measure) {
   if (slot_[v] < 0) {
     slot_[v] = static_cast<std::int32_t>(heap_.size());
@@ -65,8 +80,6 @@ void FailureQueue::take_out(std::int32_t v) {
 }
 
 void FailureQueue::sift(std::size_t i) {
-  // Four children to a place: half the levels of two, and they lie side by side.
-  constexpr std::size_t children = 4;
   const Entry entry = heap_[i];
   while (i > 0 && entry.before(heap_[(i - 1) / children])) {
     place(i, heap_[(i - 1) / children]);

@@ -20,6 +20,8 @@ class FailureQueue {
   bool empty() const { return heap_.empty() && waiting_ == 0; }
   /// Must not be empty.
   std::int32_t top();
+  /// The nodes of at least that measure > 0, as far as they are in the heap. O(#them).
+  std::vector<std::int32_t> from(double measure) const;
   /// The measure of v; 0 where it is not queued.
   double measure(std::int32_t v) const {
     return v < static_cast<std::int32_t>(measures_.size()) ? measures_[v] : 0;
@@ -45,6 +47,9 @@ class FailureQueue {
     heap_[i] = entry;
     slot_[entry.node] = static_cast<std::int32_t>(i);
   }
+  // Four children to a place: half the levels of two, and they lie side by side.
+  static constexpr std::size_t children = 4;
+
   void sift(std::size_t i);
   void push(std::int32_t v, double measure);
   void take_out(std::int32_t v);

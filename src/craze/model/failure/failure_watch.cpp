@@ -1,6 +1,7 @@
 #include "craze/model/failure/failure_watch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "craze/base/parallel.h"
@@ -20,6 +21,15 @@ constexpr double least_scale = 1e-100;
 constexpr double unknown = -1;
 // A node is looked at again when its v⁺ may have come this part of the way to the threshold.
 constexpr double unwatched_part = 0.35;
+// Edges that a crack may reach beyond the nodes it changes, and a look beyond its own length.
+constexpr double edges_of_influence = 3;
+
+double longest_edge(const TriangleMesh& mesh) {
+  double squared = 0;
+  for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h)
+    squared = std::max(squared, mesh.way(mesh.from(h), mesh.to(h)).squaredNorm());
+  return std::sqrt(squared);
+}
 
 }  // namespace
 
@@ -27,7 +37,8 @@ FailureWatch::FailureWatch(const SimulationParameters& parameters)
     : alpha_(parameters.material.alpha),
       bias_(parameters.material.bias),
       lookahead_(parameters.material.lookahead),
-      criterion_(parameters.material, process_zone(parameters.material, parameters.layer)) {}
+      process_zone_(process_zone(parameters.material, parameters.layer)),
+      criterion_(parameters.material, process_zone_) {}
 
 void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes,
                            const Threads& threads) {
@@ -49,11 +60,33 @@ void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes,
   }
 }
 
+void FailureWatch::foresee(const Scene& scene, double least_measure, const Threads& threads) {
+  if (influence_ < 0) {
+    influence_ =
+        std::max(process_zone_, lookahead_) + edges_of_influence * longest_edge(scene.mesh);
+  }
+  // Otherwise the first crack of the step would leave next to nothing of it.
+  if (influence_ > scene.relaxation.independence_distance()) return;
+  foreseen_.begin(queue_.from(least_measure));
+  std::vector<ForeseenFailure>& all = foreseen_.all();
+  parallel_for(threads, all.size(), 4, [&](std::size_t begin, std::size_t end) {
+    StressAhead stress_ahead;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::int32_t v = all[i].node;
+      Failure& failure = all[i].failure;
+      failure = is_exact(v) ? failing_[v] : evaluate(scene, v, true);
+      if (!(failure.measure >= least_measure)) continue;
+      all[i].plane = plane_of(scene, v, failure.normal, stress_ahead);
+    }
+  });
+}
+
 std::int32_t FailureWatch::next(const Scene& scene) {
   while (!queue_.empty()) {
     const std::int32_t v = queue_.top();
-    if (failing_[v].exact && queue_.measure(v) == failing_[v].measure) return v;
-    failing_[v] = evaluate(scene, v, true);
+    if (is_exact(v)) return v;
+    const ForeseenFailure* foreseen = foreseen_.find(v);
+    failing_[v] = foreseen ? foreseen->failure : evaluate(scene, v, true);
     enter(scene, v);
   }
   return -1;
@@ -147,12 +180,18 @@ Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3&
 }
 
 CrackPlane FailureWatch::crack_plane(const Scene& scene, std::int32_t v) {
-  const Vec3& normal = failing_[v].normal;
+  const ForeseenFailure* foreseen = foreseen_.find(v);
+  if (foreseen && foreseen->plane) return *foreseen->plane;
+  return plane_of(scene, v, failing_[v].normal, stress_ahead_);
+}
+
+CrackPlane FailureWatch::plane_of(const Scene& scene, std::int32_t v, const Vec3& normal,
+                                  StressAhead& stress_ahead) {
   if (!(lookahead_ > 0) || !is_crack_tip(scene.mesh, v)) return {normal, false};
   const double width = node_width(scene.mesh, v, normal);
   // A mean over less than the tip's star tells less than ς does.
   if (lookahead_ < width) return {normal, false};
-  const Sym3 stress = stress_ahead_.mean(scene.mesh, scene.field, v, lookahead_);
+  const Sym3 stress = stress_ahead.mean(scene.mesh, scene.field, v, lookahead_);
   // The v⁺ of a tension is node_width() times it.
   Sym3 driven =
       biased(scene, v, mean_factor(scene.mesh, scene.fields.separation_scale, v) * width * stress);
@@ -199,6 +238,7 @@ void FailureWatch::opened(const Scene& scene, std::int32_t v, const Vec3& normal
   const Failure failure = failing_[v];
   const double excess =
       std::max(0.0, failure.measure * scene.loading.load() - 1) * failure.threshold;
+  foreseen_.opened(scene.mesh, v, outcome.changed_nodes, influence_);
   queue_.remove(v);
   residuals_.erase(v);
   for (const std::int32_t tip : outcome.tips) {

@@ -7,8 +7,10 @@
 
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/model/cutting/crack_insertion.h"
+#include "craze/model/failure/failure.h"
 #include "craze/model/failure/failure_criterion.h"
 #include "craze/model/failure/failure_queue.h"
+#include "craze/model/failure/foreseen_failures.h"
 #include "craze/model/failure/stress_ahead.h"
 #include "craze/model/relaxation/loading.h"
 #include "craze/model/relaxation/relaxation.h"
@@ -19,22 +21,6 @@
 #include "craze/threads.h"
 
 namespace craze {
-
-/// How a node would fail.
-struct Failure {
-  double measure = 0;    ///< v⁺ at load 1 over the threshold; 0: cannot fail
-  double threshold = 0;  ///< force
-  double weight = 1;     ///< factor on ς there, curvature's
-  Vec3 normal = Vec3::Zero();
-  std::int32_t shield = -1;  ///< the tip whose process zone alone keeps it from failing
-  bool exact = false;        ///< else measure is an upper bound
-};
-
-/// By what plane a node opens.
-struct CrackPlane {
-  Vec3 normal = Vec3::Zero();  ///< unit
-  bool ahead_only = false;     ///< it is a tip's, found by what lies ahead: nothing opens behind
-};
 
 /// The priority queue of the nodes that can fail, kept by upper bounds. A node far from failing
 /// enters with what its v⁺ could become at most, and is not looked at again until the forces on it
@@ -55,6 +41,12 @@ class FailureWatch {
 
   /// Evaluates these nodes, in any order and with repeats (they come back sorted).
   void look_at(const Scene& scene, std::vector<std::int32_t>& nodes, const Threads& threads);
+
+  /// Before the cracks of a step: works out in parallel what next() and crack_plane() will say of
+  /// the nodes with at least that measure. They say the same without it.
+  void foresee(const Scene& scene, double least_measure, const Threads& threads);
+  /// After them.
+  void forget_foreseen() { foreseen_.clear(); }
 
   /// The node with the greatest measure, evaluated exactly; −1 where none can fail.
   std::int32_t next(const Scene& scene);
@@ -93,16 +85,24 @@ class FailureWatch {
   Failure evaluate(const Scene& scene, std::int32_t v, bool exact);
   Failure failure_of(const Scene& scene, std::int32_t v, const Sym3& separation, double scale,
                      bool exact);
+  CrackPlane plane_of(const Scene& scene, std::int32_t v, const Vec3& normal,
+                      StressAhead& stress_ahead);
   /// The factor on strength and toughness that the faces around v have, kept until its star
   /// changes.
   double resistance(const Scene& scene, std::int32_t v);
   const Mat3& weakness(const Scene& scene, std::int32_t v);
   void enter(const Scene& scene, std::int32_t v);
+  /// Whether the queue has v by its exact measure.
+  bool is_exact(std::int32_t v) const {
+    return failing_[v].exact && queue_.measure(v) == failing_[v].measure;
+  }
 
-  double alpha_, bias_, lookahead_;
+  double alpha_, bias_, lookahead_, process_zone_;
+  double influence_ = -1;  // of a crack on what is foreseen, length; −1: not known
   FailureCriterion criterion_;
   StressAhead stress_ahead_;
-  FailureQueue queue_;                                // by measure, or its upper bound
+  FailureQueue queue_;  // by measure, or its upper bound
+  ForeseenFailures foreseen_;
   std::vector<Failure> failing_;                      // #V
   std::vector<double> resistance_;                    // #V, −1: not known
   std::vector<Scar> scars_;                           // #V where cracks have healed
