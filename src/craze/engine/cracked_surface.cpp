@@ -49,8 +49,9 @@ std::vector<double> CrackedSurface::crack_times() const {
   return times;
 }
 
-SurfaceMesh CrackedSurface::with_attributes(const SurfaceMesh& uncut) const {
-  if (!asset) return transfer_attributes(uncut, mesh());
+SurfaceMesh CrackedSurface::with_attributes(const SurfaceMesh& uncut,
+                                            const Threads& threads) const {
+  if (!asset) return transfer_attributes(uncut, mesh(), threads);
   return cut_surface(uncut, asset->cut, mesh().positions(), mesh().triangles());
 }
 

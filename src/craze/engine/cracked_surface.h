@@ -14,6 +14,7 @@
 #include "craze/report.h"
 #include "craze/surface_mesh.h"
 #include "craze/surface_origin.h"
+#include "craze/threads.h"
 
 namespace craze {
 
@@ -48,7 +49,7 @@ struct CrackedSurface {
   /// When each crack of mesh() opened, by its label (TriangleMesh::crack_of).
   std::vector<double> crack_times() const;
   /// mesh() with all that `uncut` has, whose faces are those of `surface`.
-  SurfaceMesh with_attributes(const SurfaceMesh& uncut) const;
+  SurfaceMesh with_attributes(const SurfaceMesh& uncut, const Threads& threads = 1) const;
   /// Per face of mesh(), where in the input it lies; empty where `surface` was remeshed.
   SurfaceOrigin origin() const;
 };

@@ -127,8 +127,8 @@ std::optional<StatisticsWithSensitivity> write_outputs(const RunRequest& request
   SourceFile source = beside.source;
   if (uvs && lower_extension(request.output) == ".glb") source.scene = uvs->document;
   GrowthTimes times = growth_times(result);
-  SurfaceMesh cut =
-      shows_mesh(request) ? cut_surface(result, times, context) : plain_cut_surface(result);
+  SurfaceMesh cut = shows_mesh(request) ? cut_surface(result, times, context)
+                                        : plain_cut_surface(result, context.threads);
   context.check();
   const OpenedSurface shown = opened_surface(result, std::move(cut), std::move(times),
                                              result.report().recipe.post, context);

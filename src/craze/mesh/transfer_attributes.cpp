@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "craze/base/parallel.h"
 #include "craze/mesh/uv_islands.h"
 
 namespace craze {
@@ -11,6 +13,7 @@ namespace craze {
 namespace {
 
 constexpr double snap = 1e-9;
+constexpr std::size_t grain = 4096;  // vertices or corners in a part of a loop
 
 /// The sum of weight × value(corner) over the corners that count; a corner alone is an exact copy.
 template <class Value>
@@ -42,30 +45,49 @@ TrianglePoint on_edge(const SurfaceMesh& surface, std::int32_t f, const Vec3& p,
   return {{a, b, 3 - a - b}, {1 - s, s, 0}};
 }
 
-std::vector<std::vector<std::int32_t>> faces_around_vertices(const SurfaceMesh& surface) {
-  std::vector<std::vector<std::int32_t>> around(surface.positions.size());
-  for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
-    for (const std::int32_t v : surface.triangles[f]) {
-      around[v].push_back(static_cast<std::int32_t>(f));
+/// Calls body(i) for i in [0, n), in any order.
+template <class Body>
+void for_each(const Threads& threads, std::size_t n, const Body& body) {
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(static_cast<std::int32_t>(i));
+  };
+  parallel_for(threads, n, grain, part);
+}
+
+/// Of vertex v: faces[first[v]], …, faces[first[v + 1] − 1], ascending.
+struct FacesAroundVertices {
+  std::vector<std::int32_t> first, faces;
+
+  explicit FacesAroundVertices(const SurfaceMesh& surface)
+      : first(surface.positions.size() + 1, 0), faces(3 * surface.triangles.size()) {
+    for (const Triangle& t : surface.triangles) {
+      for (const std::int32_t v : t) ++first[v + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::int32_t> next(first.begin(), first.end() - 1);
+    for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
+      for (const std::int32_t v : surface.triangles[f])
+        faces[next[v]++] = static_cast<std::int32_t>(f);
     }
   }
-  return around;
-}
+};
 
 /// Finds the corners of the cut mesh in the triangles of `surface`.
 class CornerSources {
  public:
-  CornerSources(const SurfaceMesh& surface, const TriangleMesh& cut)
+  CornerSources(const SurfaceMesh& surface, const TriangleMesh& cut, const Threads& threads)
       : surface_(surface), cut_(cut) {
-    std::vector<std::vector<std::int32_t>> around;  // #V of the surface, made when first wanted
+    std::vector<std::int32_t> slid;
     for (std::int32_t v = 0; v < cut.vertex_count(); ++v) {
-      if (cut.anchor(v) < 0) continue;
-      if (around.empty()) {
-        around = faces_around_vertices(surface);
-        home_.assign(cut.vertex_count(), -1);
-      }
-      home_[v] = nearest_face(around, surface.triangles[cut.anchor(v)], cut.position(v));
+      if (cut.anchor(v) >= 0) slid.push_back(v);
     }
+    if (slid.empty()) return;
+    const FacesAroundVertices around(surface);
+    home_.assign(cut.vertex_count(), -1);
+    for_each(threads, slid.size(), [&](std::int32_t i) {
+      const std::int32_t v = slid[i];
+      home_[v] = nearest_face(around, surface.triangles[cut.anchor(v)], cut.position(v));
+    });
   }
 
   /// The triangle in which a corner takes its attributes: its face's source, but for a vertex that
@@ -82,12 +104,13 @@ class CornerSources {
   bool any_has_slid() const { return !home_.empty(); }
 
  private:
-  std::int32_t nearest_face(const std::vector<std::vector<std::int32_t>>& around,
-                            const Triangle& anchor, const Vec3& p) const {
+  std::int32_t nearest_face(const FacesAroundVertices& around, const Triangle& anchor,
+                            const Vec3& p) const {
     double least = std::numeric_limits<double>::infinity();
     std::int32_t nearest = -1;
     for (const std::int32_t corner : anchor) {
-      for (const std::int32_t f : around[corner]) {
+      for (std::int32_t i = around.first[corner]; i < around.first[corner + 1]; ++i) {
+        const std::int32_t f = around.faces[i];
         const TrianglePoint at = locate_in_triangle(surface_, f, p);
         const Vec3 found = interpolate(
             at, [&](int c) -> Vec3 { return surface_.positions[surface_.triangles[f][c]]; });
@@ -109,30 +132,30 @@ class CornerSources {
 /// Each face stays in the island of its source: where a vertex has slid across a seam that was not
 /// one when the surface was cut, its corners are left on the borders of their islands.
 std::vector<Vec2> transfer_uvs(const SurfaceMesh& surface, const TriangleMesh& cut,
-                               const CornerSources& sources) {
+                               const CornerSources& sources, const Threads& threads) {
   std::vector<std::int32_t> islands;
   if (sources.any_has_slid()) islands = uv_islands(surface);
   std::vector<Vec2> uvs(3 * static_cast<std::size_t>(cut.face_count()));
-  for (std::int32_t k = 0; k < 3 * cut.face_count(); ++k) {
+  for_each(threads, uvs.size(), [&](std::int32_t k) {
     std::int32_t from = sources.triangle(k);
     const std::int32_t own = cut.source_face(TriangleMesh::face_of(k));
     if (!islands.empty() && islands[from] != islands[own]) from = own;
     const std::size_t first = 3 * static_cast<std::size_t>(from);
     uvs[k] = interpolate(sources.point_in(from, k),
                          [&](int c) -> Vec2 { return surface.corner_uvs[first + c]; });
-  }
+  });
   return uvs;
 }
 
 std::vector<Vec3> transfer_normals(const SurfaceMesh& surface, const CornerSources& sources,
-                                   std::int32_t corners) {
+                                   std::int32_t corners, const Threads& threads) {
   std::vector<Vec3> normals(corners);
-  for (std::int32_t k = 0; k < corners; ++k) {
+  for_each(threads, normals.size(), [&](std::int32_t k) {
     const std::size_t first = 3 * static_cast<std::size_t>(sources.triangle(k));
     const TrianglePoint point = sources.point(k);
     const auto value = [&](int c) -> Vec3 { return surface.corner_normals[first + c]; };
     normals[k] = interpolate(point, value);
-    if (point.weights[0] == 1) continue;
+    if (point.weights[0] == 1) return;
     // Opposite normals at a fold cancel: take the nearest corner's.
     const double length = normals[k].norm();
     if (length > snap) {
@@ -141,7 +164,7 @@ std::vector<Vec3> transfer_normals(const SurfaceMesh& surface, const CornerSourc
       const auto& w = point.weights;
       normals[k] = value(point.corners[std::max_element(w.begin(), w.end()) - w.begin()]);
     }
-  }
+  });
   return normals;
 }
 
@@ -181,28 +204,29 @@ TrianglePoint locate_in_triangle(const SurfaceMesh& surface, std::int32_t f, con
   return {{0, 1, 2}, {w[0], w[1], 1 - w[0] - w[1]}};
 }
 
-SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& cut) {
+SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& cut,
+                                const Threads& threads) {
   SurfaceMesh result;
   result.positions = cut.positions();
   result.metres_per_unit = surface.metres_per_unit;
   result.triangles = cut.triangles();
-  const CornerSources sources(surface, cut);
+  const CornerSources sources(surface, cut, threads);
   const std::int32_t corners = 3 * cut.face_count();
-  if (!surface.corner_uvs.empty()) result.corner_uvs = transfer_uvs(surface, cut, sources);
+  if (!surface.corner_uvs.empty()) result.corner_uvs = transfer_uvs(surface, cut, sources, threads);
   if (!surface.corner_normals.empty()) {
-    result.corner_normals = transfer_normals(surface, sources, corners);
+    result.corner_normals = transfer_normals(surface, sources, corners, threads);
   }
 
-  // Calls take(v, source vertices, weights) for each vertex of the cut mesh.
+  // Calls take(v, source vertices, weights) for each vertex of the cut mesh, in any order.
   const auto for_each_vertex = [&](auto&& take) {
-    for (std::int32_t v = 0; v < cut.vertex_count(); ++v) {
+    for_each(threads, cut.positions().size(), [&](std::int32_t v) {
       const std::int32_t h = cut.first_halfedge(v);
       if (h < 0) {
         take(v, Triangle{cut.root(v), cut.root(v), cut.root(v)}, at_corner(0));
       } else {
         take(v, surface.triangles[sources.triangle(h)], sources.point(h));
       }
-    }
+    });
   };
   if (!surface.vertex_colors.empty()) {
     result.vertex_colors.resize(cut.vertex_count());

@@ -5,6 +5,7 @@
 
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/surface_mesh.h"
+#include "craze/threads.h"
 
 namespace craze {
 
@@ -23,6 +24,7 @@ TrianglePoint locate_in_triangle(const SurfaceMesh& surface, std::int32_t f, con
 /// attributes interpolated (normals to unit length), materials, face attributes and source_faces
 /// copied. `cut` was made from the positions and triangles of `surface`. Values at the vertices of
 /// `surface` are exact copies; copies of a vertex along a crack have equal values.
-SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& cut);
+SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& cut,
+                                const Threads& threads = 1);
 
 }  // namespace craze

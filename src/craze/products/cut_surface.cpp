@@ -63,13 +63,13 @@ void add_nearest_crack(SurfaceMesh& surface, const CrackedSurface& state,
 
 }  // namespace
 
-SurfaceMesh plain_cut_surface(const Result& result) {
-  return result.state().with_attributes(*result.state().surface);
+SurfaceMesh plain_cut_surface(const Result& result, const Threads& threads) {
+  return result.state().with_attributes(*result.state().surface, threads);
 }
 
 SurfaceMesh cut_surface(const Result& result, const GrowthTimes& times, const Context& context) {
   const CrackedSurface& state = result.state();
-  SurfaceMesh surface = plain_cut_surface(result);
+  SurfaceMesh surface = plain_cut_surface(result, context.threads);
   add_nearest_crack(surface, state, times, context);
 
   Attribute displacement{"displacement", 3, {}};

@@ -18,6 +18,6 @@ namespace craze {
 SurfaceMesh cut_surface(const Result& result, const GrowthTimes& times, const Context& context);
 
 /// The cut mesh with the attributes of the surface that it was cut out of alone.
-SurfaceMesh plain_cut_surface(const Result& result);
+SurfaceMesh plain_cut_surface(const Result& result, const Threads& threads);
 
 }  // namespace craze

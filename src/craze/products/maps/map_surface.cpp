@@ -31,7 +31,7 @@ MapSurface map_surface(const Result& result, const SurfaceMesh& uncut, const Pos
   MapSurface maps;
   maps.surface = uncut;
   const TriangleMesh& cut = state.mesh();
-  const SurfaceMesh with_uvs = state.with_attributes(uncut);
+  const SurfaceMesh with_uvs = state.with_attributes(uncut, context.threads);
   for (std::int32_t f = 0; f < cut.face_count(); ++f) {
     const auto corner = 3 * static_cast<std::size_t>(f);
     const std::int32_t face = state.asset ? state.asset->cut.face_source[f] : cut.source_face(f);
@@ -67,7 +67,7 @@ void refine_to_bend(MapSurface& maps, const SurfaceMesh& whole, const Context& c
   uvs.positions = whole.positions;
   uvs.triangles = whole.triangles;
   uvs.corner_uvs = whole.corner_uvs;
-  uvs = transfer_attributes(uvs, *refined);
+  uvs = transfer_attributes(uvs, *refined, context.threads);
   std::vector<MapPiece> pieces;
   for (std::int32_t f = 0; f < refined->face_count(); ++f) {
     const auto corner = 3 * static_cast<std::size_t>(f);

@@ -50,13 +50,14 @@ std::vector<Vec3> as_vectors(const Attribute& attribute) {
 
 /// #V of the mesh that was cut, or of what that was refined to: as the uncut surface has them, so
 /// that each of its triangles has a flat inner side however it was cut.
-std::vector<Vec3> outwards(const CrackedSurface& state, const TriangleMesh* refined) {
+std::vector<Vec3> outwards(const CrackedSurface& state, const TriangleMesh* refined,
+                           const Threads& threads) {
   SurfaceMesh uncut;
   uncut.positions = state.surface->positions;
   uncut.triangles = state.surface->triangles;
   uncut.vertex_attributes = {as_attribute(inner_directions(uncut.positions, uncut.triangles))};
-  SurfaceMesh cut = state.with_attributes(uncut);
-  if (refined) cut = transfer_attributes(cut, *refined);
+  SurfaceMesh cut = state.with_attributes(uncut, threads);
+  if (refined) cut = transfer_attributes(cut, *refined, threads);
   return as_vectors(cut.vertex_attributes.front());
 }
 
@@ -247,7 +248,7 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   const TriangleMesh& mesh = surface.base(result);
   if (surface.refined) {
     cut.vertex_attributes.push_back(as_attribute(displacement));
-    cut = transfer_attributes(cut, mesh);
+    cut = transfer_attributes(cut, mesh, context.threads);
     displacement = as_vectors(cut.vertex_attributes.back());
     cut.vertex_attributes.pop_back();
     surface.times = growth_times(mesh, state.network);
@@ -274,7 +275,7 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   if (post.thickness > 0) {
     drop_walls(mesh, surface.opened);
     const std::vector<std::string> warnings =
-        make_solid(mesh, crack_sites(mesh), outwards(state, surface.refined.get()),
+        make_solid(mesh, crack_sites(mesh), outwards(state, surface.refined.get(), context.threads),
                    {post.thickness, post.wedge, post.core}, surface.opened, context);
     surface.warnings.insert(surface.warnings.end(), warnings.begin(), warnings.end());
   }

@@ -190,7 +190,7 @@ Scene make_scene(const Plan& plan, const PlanValues& values, const DatasetShape&
   const CrackedSurface& state = result.state();
 
   const OpenedSurface shown =
-      opened_surface(result, plain_cut_surface(result), {}, recipe.post, context);
+      opened_surface(result, plain_cut_surface(result, context.threads), {}, recipe.post, context);
   SurfaceMesh mesh = shown.mesh;
   Attribute fragment{"fragment", 1, {}};
   for (const std::int32_t f : state.fragments.face) fragment.values.push_back(f);
