@@ -47,7 +47,7 @@ TrianglePoint on_edge(const SurfaceMesh& surface, std::int32_t f, const Vec3& p,
 
 /// Calls body(i) for i in [0, n), in any order.
 template <class Body>
-void for_each(const Threads& threads, std::size_t n, const Body& body) {
+void transfer_each(const Threads& threads, std::size_t n, const Body& body) {
   const auto part = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(static_cast<std::int32_t>(i));
   };
@@ -84,7 +84,7 @@ class CornerSources {
     if (slid.empty()) return;
     const FacesAroundVertices around(surface);
     home_.assign(cut.vertex_count(), -1);
-    for_each(threads, slid.size(), [&](std::int32_t i) {
+    transfer_each(threads, slid.size(), [&](std::int32_t i) {
       const std::int32_t v = slid[i];
       home_[v] = nearest_face(around, surface.triangles[cut.anchor(v)], cut.position(v));
     });
@@ -136,7 +136,7 @@ std::vector<Vec2> transfer_uvs(const SurfaceMesh& surface, const TriangleMesh& c
   std::vector<std::int32_t> islands;
   if (sources.any_has_slid()) islands = uv_islands(surface);
   std::vector<Vec2> uvs(3 * static_cast<std::size_t>(cut.face_count()));
-  for_each(threads, uvs.size(), [&](std::int32_t k) {
+  transfer_each(threads, uvs.size(), [&](std::int32_t k) {
     std::int32_t from = sources.triangle(k);
     const std::int32_t own = cut.source_face(TriangleMesh::face_of(k));
     if (!islands.empty() && islands[from] != islands[own]) from = own;
@@ -150,7 +150,7 @@ std::vector<Vec2> transfer_uvs(const SurfaceMesh& surface, const TriangleMesh& c
 std::vector<Vec3> transfer_normals(const SurfaceMesh& surface, const CornerSources& sources,
                                    std::int32_t corners, const Threads& threads) {
   std::vector<Vec3> normals(corners);
-  for_each(threads, normals.size(), [&](std::int32_t k) {
+  transfer_each(threads, normals.size(), [&](std::int32_t k) {
     const std::size_t first = 3 * static_cast<std::size_t>(sources.triangle(k));
     const TrianglePoint point = sources.point(k);
     const auto value = [&](int c) -> Vec3 { return surface.corner_normals[first + c]; };
@@ -219,7 +219,7 @@ SurfaceMesh transfer_attributes(const SurfaceMesh& surface, const TriangleMesh& 
 
   // Calls take(v, source vertices, weights) for each vertex of the cut mesh, in any order.
   const auto for_each_vertex = [&](auto&& take) {
-    for_each(threads, cut.positions().size(), [&](std::int32_t v) {
+    transfer_each(threads, cut.positions().size(), [&](std::int32_t v) {
       const std::int32_t h = cut.first_halfedge(v);
       if (h < 0) {
         take(v, Triangle{cut.root(v), cut.root(v), cut.root(v)}, at_corner(0));
