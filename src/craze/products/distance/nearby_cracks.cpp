@@ -38,14 +38,13 @@ class Propagation {
  public:
   using Carried = NearbyCrack;
 
-  /// `nearest` (#F) as none(), touched for faces that cracks reach.
+  /// `slots` (#F), −1: touched for faces that cracks reach.
   Propagation(const TriangleMesh& mesh, double max_distance, const CrackVisit& visit, int worker,
-              std::vector<NearestPoints>& nearest)
-      : mesh_(mesh),
-        max_distance_(max_distance),
-        visit_(visit),
-        worker_(worker),
-        nearest_(nearest) {}
+              std::vector<std::int32_t>& slots)
+      : mesh_(mesh), max_distance_(max_distance), visit_(visit), worker_(worker), slots_(slots) {}
+
+  /// No face that has been reached will be again.
+  void begin_part() { nearest_.clear(); }
 
   NearbyCrack source(std::int32_t h) const {
     return {mesh_.position(mesh_.from(h)), mesh_.position(mesh_.to(h)), h};
@@ -63,10 +62,12 @@ class Propagation {
   /// it is so between them.
   bool is_hidden(std::int32_t h, const NearbyCrack& crack) const {
     constexpr double surely = 1 - 1e-9;
+    const std::int32_t slot = slots_[h / 3];
+    if (slot < 0) return false;
     const Vec3 &from = mesh_.position(mesh_.from(h)), &to = mesh_.position(mesh_.to(h));
     const double at_from = surely * squared_point_segment_distance(from, crack.a, crack.b);
     const double at_to = surely * squared_point_segment_distance(to, crack.a, crack.b);
-    const NearestPoints& nearest = nearest_[h / 3];
+    const NearestPoints& nearest = nearest_[slot];
     return std::any_of(nearest.begin(), nearest.end(), [&](const Vec3& p) {
       return (p - from).squaredNorm() < at_from && (p - to).squaredNorm() < at_to;
     });
@@ -90,12 +91,17 @@ class Propagation {
 
   double accept(std::int32_t face, const NearbyCrack& crack) {
     const Triangle& t = mesh_.triangle(face);
+    std::int32_t& slot = slots_[face];
+    if (slot < 0) {
+      slot = static_cast<std::int32_t>(nearest_.size());
+      nearest_.push_back(none());
+    }
     CornerDistances distances;
     for (int i = 0; i < 3; ++i) {
       const Vec3& corner = mesh_.position(t[i]);
       const Vec3 point = nearest_point(corner, crack.a, crack.b);
       distances[i] = (point - corner).norm();
-      Vec3& nearest = nearest_[face][i];
+      Vec3& nearest = nearest_[slot][i];
       if (distances[i] < (nearest - corner).norm()) nearest = point;
     }
     visit_(worker_, face, crack, distances);
@@ -108,7 +114,8 @@ class Propagation {
   double max_distance_;
   const CrackVisit& visit_;
   int worker_;
-  std::vector<NearestPoints>& nearest_;
+  std::vector<std::int32_t>& slots_;    // of faces, in nearest_
+  std::vector<NearestPoints> nearest_;  // of the faces of a part
 };
 
 /// The sides of cracks, those of one part of the mesh together: part p has [first[p], first[p+1]).
@@ -147,6 +154,7 @@ class PartWorker {
     while (spread_.run(visits)) {
       const std::size_t part = next++;
       if (part >= parts.count()) return true;
+      propagation_.begin_part();
       for (std::size_t i = parts.first[part]; i < parts.first[part + 1]; ++i)
         spread_.start(parts.sides[i] / 3, propagation_.source(parts.sides[i]));
     }
@@ -173,11 +181,11 @@ void carry_cracks(const TriangleMesh& mesh, const std::vector<std::int32_t>& sid
   if (sides.empty()) return;
   const SidesByPart parts = by_part(mesh, sides);
   std::vector<FaceCover> covers(mesh.face_count());
-  std::vector<NearestPoints> nearest(mesh.face_count(), none());
+  std::vector<std::int32_t> slots(mesh.face_count(), -1);
   const int count = context.threads.count();
   std::deque<PartWorker> workers;
   for (int i = 0; i < count; ++i)
-    workers.emplace_back(mesh, Propagation(mesh, max_distance, visit, i, nearest), covers);
+    workers.emplace_back(mesh, Propagation(mesh, max_distance, visit, i, slots), covers);
   std::vector<char> done(count, 0);
   std::atomic<std::size_t> next = 0;
   const auto work = [&](std::size_t i, std::size_t) {
