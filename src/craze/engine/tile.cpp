@@ -16,6 +16,7 @@
 #include "craze/mesh/shapes/periodic_square.h"
 #include "craze/model/screening.h"
 #include "craze/recipe/check_recipe.h"
+#include "craze/recipe/idle_keys.h"
 #include "craze/recipe/length_text.h"
 #include "craze/recipe/own_lengths.h"
 
@@ -79,13 +80,9 @@ void roughen_tile(CrackedTile& tile, const Context& context) {
 
 /// Of keys that only a mesh has a use for.
 void warn_of_idle_keys(Report& report, const Recipe& recipe) {
-  const PostParameters usual;
-  std::vector<const char*> keys;
-  if (recipe.mesh.edge.kind == EdgeLength::Kind::keep) keys.push_back("mesh.edge");
-  if (recipe.post.thickness.number() > 0) keys.push_back("post.thickness");
-  if (recipe.post.wedge != usual.wedge) keys.push_back("post.wedge");
-  if (recipe.post.core != usual.core) keys.push_back("post.core");
-  if (recipe.post.collider != usual.collider) keys.push_back("post.collider");
+  std::vector<std::string> keys = keys_of_solids(recipe.post);
+  if (recipe.post.thickness.number() > 0) keys.insert(keys.begin(), "post.thickness");
+  if (recipe.mesh.edge.kind == EdgeLength::Kind::keep) keys.insert(keys.begin(), "mesh.edge");
   if (keys.empty()) return;
   report.warnings.push_back(fmt::format("a tile is flat and in one piece: what does nothing ({})",
                                         fmt::join(keys, ", ")));

@@ -85,8 +85,7 @@ std::string describe_unit(double metres_per_unit, std::string_view format) {
   if (format != "glb" || metres_per_unit == 0 || metres_per_unit == 1) return {};
   return fmt::format(
       "glTF is in metres (mesh.unit): one unit of the mesh, {0:g} m, is 1 m in the .glb; scale it "
-      "by "
-      "{0:g} where it is used",
+      "by {0:g} where it is used",
       metres_per_unit);
 }
 

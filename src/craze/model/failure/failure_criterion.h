@@ -45,6 +45,8 @@ class FailureCriterion {
   /// process_zone: length.
   FailureCriterion(const MaterialParameters& material, double process_zone);
 
+  double process_zone() const { return process_zone_; }
+
   /// A lower bound of threshold() that looks no farther than the star of v.
   double least_threshold(const TriangleMesh& mesh, std::int32_t v, const Vec3& normal,
                          double scale) const;

@@ -37,8 +37,7 @@ FailureWatch::FailureWatch(const SimulationParameters& parameters)
     : alpha_(parameters.material.alpha),
       bias_(parameters.material.bias),
       lookahead_(parameters.material.lookahead),
-      process_zone_(process_zone(parameters.material, parameters.layer)),
-      criterion_(parameters.material, process_zone_) {}
+      criterion_(parameters.material, process_zone(parameters.material, parameters.layer)) {}
 
 void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes,
                            const Threads& threads) {
@@ -62,8 +61,8 @@ void FailureWatch::look_at(const Scene& scene, std::vector<std::int32_t>& nodes,
 
 void FailureWatch::foresee(const Scene& scene, double least_measure, const Threads& threads) {
   if (influence_ < 0) {
-    influence_ =
-        std::max(process_zone_, lookahead_) + edges_of_influence * longest_edge(scene.mesh);
+    influence_ = std::max(criterion_.process_zone(), lookahead_) +
+                 edges_of_influence * longest_edge(scene.mesh);
   }
   // Otherwise the first crack of the step would leave next to nothing of it.
   if (influence_ > scene.relaxation.independence_distance()) return;

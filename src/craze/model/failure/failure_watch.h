@@ -97,7 +97,7 @@ class FailureWatch {
     return failing_[v].exact && queue_.measure(v) == failing_[v].measure;
   }
 
-  double alpha_, bias_, lookahead_, process_zone_;
+  double alpha_, bias_, lookahead_;
   double influence_ = -1;  // of a crack on what is foreseen, length; −1: not known
   FailureCriterion criterion_;
   StressAhead stress_ahead_;

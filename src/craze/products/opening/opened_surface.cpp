@@ -24,6 +24,7 @@
 #include "craze/products/opening/turned_normals.h"
 #include "craze/products/solids/inner_directions.h"
 #include "craze/products/solids/solids.h"
+#include "craze/recipe/idle_keys.h"
 
 namespace craze {
 
@@ -169,35 +170,6 @@ std::vector<std::string> opening_warnings(const OpenedMesh& opened, const Triang
   return warnings;
 }
 
-/// Of keys that do nothing as long as another one is 0.
-void warn_of_idle_keys(const PostParameters& post, bool has_cracks,
-                       std::vector<std::string>& warnings) {
-  const PostParameters usual;
-  const auto warn = [&](const char* why, const std::vector<const char*>& keys, const char* give) {
-    if (keys.empty()) return;
-    warnings.push_back(fmt::format("{} ({}): {}", why, fmt::join(keys, ", "), give));
-  };
-  std::vector<const char*> of_solids, of_lines;
-  if (post.wedge != usual.wedge) of_solids.push_back("post.wedge");
-  if (post.core != usual.core) of_solids.push_back("post.core");
-  if (post.collider != usual.collider) of_solids.push_back("post.collider");
-  if (post.thickness == 0) warn("there are no solid pieces", of_solids, "give post.thickness");
-  if (post.roughness_exponent != usual.roughness_exponent) {
-    of_lines.push_back("post.roughness_exponent");
-  }
-  if (post.roughness_step > 0) of_lines.push_back("post.roughness_step");
-  if (post.roughness == 0 && post.relative_roughness == 0) {
-    warn("lines are not rough", of_lines, "give post.roughness or post.relative_roughness");
-  }
-  if (post.chip_size > 0 && post.chipping == 0) {
-    warn("nothing is chipped", {"post.chip_size"}, "give post.chipping");
-  }
-  if (has_cracks && post.curl != 0 && post.gap == 0 && post.thickness == 0) {
-    warn("the cracks are shut and no rims curl", {"post.curl"},
-         "maps show it; for a mesh give post.gap or post.gap_width");
-  }
-}
-
 }  // namespace
 
 const TriangleMesh& OpenedSurface::base(const Result& result) const {
@@ -212,20 +184,7 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   }
   OpenedSurface surface;
   surface.times = std::move(times);
-  warn_of_idle_keys(post, !result.state().network.edges.empty(), surface.warnings);
-  if (post.gap == 0 && post.chipping > 0) {
-    surface.warnings.emplace_back(
-        "the cracks are shut and have no rims to chip (post.chipping): maps show chips; for a mesh "
-        "give post.gap or post.gap_width");
-  }
-  if (post.face_roughness > 0 && post.wall == 0 && post.thickness == 0) {
-    surface.warnings.emplace_back(
-        "there are no faces to be rough (post.face_roughness): give post.wall or post.thickness");
-  } else if (post.face_roughness > 0 && post.gap == 0 && post.thickness == 0) {
-    surface.warnings.emplace_back(
-        "the cracks are shut and nobody sees their rough faces (post.face_roughness): give "
-        "post.gap, post.gap_width or post.thickness");
-  }
+  surface.warnings = warnings_of_idle_keys(post, !result.state().network.edges.empty());
   if (post.gap == 0 && post.wall == 0 && post.thickness == 0) {
     surface.opened = unopened(cut);
     surface.mesh = std::move(cut);
