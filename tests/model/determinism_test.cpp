@@ -56,9 +56,7 @@ TEST(Determinism, TheSameBytesWithShrinkageOnAClosedSurface) {
 }
 
 TEST(Determinism, TheSameBytesWhereManyNodesCrackInAStep) {
-  SimulationParameters p;
-  p.material.criterion = Criterion::strength;
-  p.material.relative_toughness = 0.3;
+  SimulationParameters p = test::layer_run();
   p.material.relative_lookahead = 0.4;
   p.layer.screening_length = 0.06;
   p.crack.stride = 0.2;

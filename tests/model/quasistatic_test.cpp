@@ -12,18 +12,6 @@
 namespace craze {
 namespace {
 
-SimulationParameters mud() {
-  SimulationParameters p;
-  p.engine = Engine::quasistatic;
-  p.material.criterion = Criterion::strength;
-  p.material.relative_toughness = 0.3;
-  p.layer.screening_length = 0.12;
-  p.evolution.max_load = 2;
-  p.crack.snap_angle = 10;
-  p.crack.back_angle = 60;
-  return p;
-}
-
 double largest_residual(const Simulation& s, double kappa) {
   double largest = 0;
   const StressField& field = s.field();
@@ -38,7 +26,7 @@ double largest_residual(const Simulation& s, double kappa) {
 TEST(Quasistatic, NoForceIsLeftOnAnyNodeAtACrackDecision) {
   for (const double residual : {0.002, 0.01, 0.05}) {
     for (const std::int64_t events : {1, 20, 80}) {
-      SimulationParameters p = mud();
+      SimulationParameters p = test::layer_run();
       p.evolution.residual = residual;
       p.evolution.max_cracks = events;
       Simulation s = test::simulation_of("plate?n=24&jitter=0.3", p);
@@ -51,7 +39,7 @@ TEST(Quasistatic, NoForceIsLeftOnAnyNodeAtACrackDecision) {
 }
 
 TEST(Quasistatic, StopsAtTheHighestLoadWhereMoreWouldCrackOn) {
-  SimulationParameters p = mud();
+  SimulationParameters p = test::layer_run();
   p.evolution.max_load = 1.5;
   Simulation s = test::simulation_of("plate?n=24&jitter=0.3", p);
   EXPECT_EQ(s.run({}), StopReason::max_load);
@@ -64,7 +52,7 @@ TEST(Quasistatic, StopsAtTheHighestLoadWhereMoreWouldCrackOn) {
 
 TEST(Quasistatic, TheForceThatIsLeftIsTheStressFieldsOwn) {
   // The forces are updated crack by crack; Eq. 1 from the stresses must give the same.
-  SimulationParameters p = mud();
+  SimulationParameters p = test::layer_run();
   Simulation s = test::simulation_of("plate?n=24&jitter=0.3", p);
   s.run({});
   EXPECT_GT(s.events(), 100);
@@ -81,7 +69,7 @@ TEST(Quasistatic, AStripUnderTensionIsLoadedAsTheShearLagFilm) {
   const TriangleMesh mesh = test::mesh_of("strip?length=8&width=0.5&n=10");
   SimulationFields fields;
   fields.stress.assign(mesh.face_count(), Sym3{1, 0, 0, 0, 0, 0});
-  SimulationParameters p = mud();
+  SimulationParameters p = test::layer_run();
   p.layer.screening_length = 1;
   p.material.strength = 1e6;
   p.evolution.max_load = 1e7;
@@ -93,7 +81,7 @@ TEST(Quasistatic, AStripUnderTensionIsLoadedAsTheShearLagFilm) {
 }
 
 TEST(Quasistatic, TheSameBytesOnAnyNumberOfThreads) {
-  const SimulationParameters p = mud();
+  const SimulationParameters p = test::layer_run();
   const Simulation* first = nullptr;
   std::vector<Simulation> runs;
   runs.reserve(3);
@@ -120,7 +108,7 @@ TEST(Quasistatic, TheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(Quasistatic, CrackTimesAreTheLoadAndNeverFall) {
-  Simulation s = test::simulation_of("plate?n=24&jitter=0.3", mud());
+  Simulation s = test::simulation_of("plate?n=24&jitter=0.3", test::layer_run());
   s.run({});
   const std::vector<double> times = s.crack_times();
   ASSERT_FALSE(times.empty());
@@ -168,7 +156,7 @@ TEST(Strength, WhereToughnessIsInfiniteNothingCracks) {
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     if (forbidden(f)) fields.toughness_scale[f] = std::numeric_limits<double>::infinity();
   }
-  Simulation s(mesh, fields, mud(), {});
+  Simulation s(mesh, fields, test::layer_run(), {});
   s.run({});
   EXPECT_GT(s.events(), 50);
   for (std::int32_t f = 0; f < s.mesh().face_count(); ++f) {

@@ -19,6 +19,19 @@ inline SimulationParameters small_run() {
   return p;
 }
 
+/// A layer of mud by quasi-static flow.
+inline SimulationParameters layer_run() {
+  SimulationParameters p;
+  p.engine = Engine::quasistatic;
+  p.material.criterion = Criterion::strength;
+  p.material.relative_toughness = 0.3;
+  p.layer.screening_length = 0.12;
+  p.evolution.max_load = 2;
+  p.crack.snap_angle = 10;
+  p.crack.back_angle = 60;
+  return p;
+}
+
 /// Isotropic tension 1 with 5 % noise.
 inline SimulationFields noisy_tension(const TriangleMesh& mesh, std::uint64_t seed) {
   SimulationFields fields;

@@ -7,6 +7,17 @@ import meshes
 import numpy as np
 
 
+def recipe_of(spacing, post="gap = 0.1, wall = 0.05"):
+    """One that cracks an object's own triangles; `spacing` as TOML says it."""
+    return f"""
+mesh.edge = "keep"
+material = {{ criterion = "strength", scatter = 0.15 }}
+layer.{spacing}
+evolution.max_load = 2.0
+post = {{ {post} }}
+"""
+
+
 def get(collection, name, columns=1, dtype=np.float32):
     """(n, columns) of a property of a collection."""
     values = np.empty(len(collection) * columns, dtype)

@@ -10,7 +10,7 @@ from pathlib import Path
 import bpy
 import meshes
 import numpy as np
-from cracking import Cracking, get
+from cracking import Cracking, get, recipe_of
 
 from craze_blender import crack_nodes, process
 
@@ -45,13 +45,7 @@ def halves():
 
 
 class Bake(Cracking):
-    recipe = """
-mesh.edge = "keep"
-material = { criterion = "strength", scatter = 0.15 }
-layer.relative_spacing = 0.2
-evolution.max_load = 2.0
-post = { gap = 0.05, wall = 0.03 }
-"""
+    recipe = recipe_of("relative_spacing = 0.2", "gap = 0.05, wall = 0.03")
 
     def setUp(self):
         super().setUp()

@@ -8,19 +8,13 @@ from pathlib import Path
 import bmesh
 import bpy
 import meshes
-from cracking import Cracking, places
+from cracking import Cracking, places, recipe_of
 
 from craze_blender import changes, live, nodes, process, work, world
 from craze_blender.operators.crack import CRAZE_OT_crack
 from craze_blender.work import Work
 
-RECIPE = """
-mesh.edge = "keep"
-material = { criterion = "strength", scatter = 0.15 }
-layer.relative_spacing = 0.2
-evolution.max_load = 2.0
-post = { gap = 0.1, wall = 0.05 }
-"""
+RECIPE = recipe_of("relative_spacing = 0.2")
 
 # In a Blender that opens a file, with the add-on.
 AFTER = """

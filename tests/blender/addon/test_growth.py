@@ -3,7 +3,7 @@
 import bpy
 import meshes
 import numpy as np
-from cracking import Cracking, get, places
+from cracking import Cracking, get, places, recipe_of
 
 from craze_blender import growth_nodes
 
@@ -18,13 +18,7 @@ def at(thing, frame):
 
 
 class Growth(Cracking):
-    recipe = """
-mesh.edge = "keep"
-material = { criterion = "strength", scatter = 0.15 }
-layer.relative_spacing = 0.12
-evolution.max_load = 2.0
-post = { gap = 0.1, wall = 0.05 }
-"""
+    recipe = recipe_of("relative_spacing = 0.12")
 
     def grown(self, method):
         new = self.crack(meshes.link(meshes.grid(12)))

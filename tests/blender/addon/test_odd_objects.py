@@ -10,7 +10,7 @@ from pathlib import Path
 import bpy
 import meshes
 import numpy as np
-from cracking import Cracking, get, places
+from cracking import Cracking, get, places, recipe_of
 
 from craze_blender import cracked, live, process
 from craze_blender.operators.crack import CRAZE_OT_crack
@@ -35,13 +35,7 @@ def rounded(points):
 
 
 class OddObjects(Cracking):
-    recipe = """
-mesh.edge = "keep"
-material = { criterion = "strength", scatter = 0.15 }
-layer.relative_spacing = 0.2
-evolution.max_load = 2.0
-post = { gap = 0.1, wall = 0.05 }
-"""
+    recipe = recipe_of("relative_spacing = 0.2")
 
     def test_an_object_without_extent_along_an_axis_is_refused(self):
         for scale in ((1, 1, 0), (0, 0, 0), (1, 1e-7, 1)):

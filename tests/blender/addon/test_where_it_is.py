@@ -6,17 +6,11 @@ from pathlib import Path
 
 import bpy
 import meshes
-from cracking import Cracking, places
+from cracking import Cracking, places, recipe_of
 
 from craze_blender import live
 
-RECIPE = """
-mesh.edge = "keep"
-material = { criterion = "strength", scatter = 0.15 }
-layer.spacing = 0.5
-evolution.max_load = 2.0
-post = { gap = 0.1, wall = 0.05 }
-"""
+RECIPE = recipe_of("spacing = 0.5")
 
 
 def length(thing):

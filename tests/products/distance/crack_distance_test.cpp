@@ -80,7 +80,7 @@ TEST(CrackDistance, OnACylinderItIsMeasuredRoundTheCylinder) {
 }
 
 /// Lengths of the shortest ways from cracks to vertices over straight lines between points on
-/// edges, five on each: some hundredths longer than the shortest of all ways.
+/// edges, five on each: a little longer than the shortest of all ways.
 std::vector<double> lengths_of_ways(const TriangleMesh& mesh) {
   constexpr int each = 5;
   const auto points_of = [&](std::int32_t f) {
