@@ -4,6 +4,7 @@
 
 #include "craze/error.h"
 #include "craze/mesh/validate.h"
+#include "mesh/shuffled.h"
 #include "model/states.h"
 
 namespace craze {
@@ -40,6 +41,51 @@ TEST(CrackedSheet, KeepsMeshAndFieldInStepThroughEveryEdit) {
     }
     ++edits;
     expect_in_step(sheet);
+  }
+}
+
+TEST(CrackedSheet, TakesOtherNumbersAndItsOwnAgain) {
+  CrackedSheet sheet = plate();
+  const Numbering numbering{test::any_order(sheet.field().forces().size(), 1),
+                            test::any_order(sheet.field().elements().size(), 2)};
+  for (std::int32_t v = 0; v < sheet.mesh().vertex_count(); ++v) {
+    if (sheet.mesh().is_open_vertex(v)) sheet.field().hold(v);
+  }
+  for (std::int32_t h = 0; h < 90; h += 9) {
+    sheet.split(h, 0.4);
+    if (!sheet.mesh().is_open(h)) sheet.cut(h, h);
+    if (!sheet.mesh().is_open_vertex(sheet.mesh().from(h + 4))) sheet.slide(h + 4, 0.05);
+  }
+  const CrackedSheet before = sheet;
+  sheet.renumber(numbering);
+  expect_in_step(sheet);
+  const std::int32_t faces = before.mesh().face_count();
+  for (std::int32_t f = 0; f < faces; ++f) {
+    const std::int32_t was = new_number(numbering.faces, f);
+    ASSERT_EQ(new_number(numbering.faces, sheet.mesh().source_face(f)),
+              before.mesh().source_face(was));
+    ASSERT_EQ(sheet.field().elements()[f].t[0], before.field().elements()[was].t[0]);
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t h = 3 * f + i, v = sheet.mesh().from(h),
+                         w = before.mesh().from(3 * was + i);
+      ASSERT_EQ(new_number(numbering.vertices, v), w);
+      ASSERT_EQ(sheet.mesh().position(v), before.mesh().position(w));
+      ASSERT_EQ(sheet.mesh().crack_of(h), before.mesh().crack_of(3 * was + i));
+      ASSERT_EQ(new_number(numbering.vertices, sheet.mesh().root(v)), before.mesh().root(w));
+      ASSERT_EQ(new_number(numbering.faces, sheet.mesh().anchor(v)), before.mesh().anchor(w));
+      ASSERT_EQ(sheet.field().force(v), before.field().force(w));
+      ASSERT_EQ(sheet.field().node_areas()[v], before.field().node_areas()[w]);
+      ASSERT_EQ(sheet.field().is_held(v), before.field().is_held(w));
+    }
+  }
+  sheet.renumber(inverse(numbering));
+  EXPECT_EQ(sheet.mesh().positions(), before.mesh().positions());
+  EXPECT_EQ(sheet.mesh().triangles(), before.mesh().triangles());
+  for (std::int32_t h = 0; h < 3 * faces; ++h) {
+    ASSERT_EQ(sheet.mesh().opposite(h), before.mesh().opposite(h));
+  }
+  for (std::int32_t v = 0; v < before.mesh().vertex_count(); ++v) {
+    ASSERT_EQ(sheet.mesh().first_halfedge(v), before.mesh().first_halfedge(v));
   }
 }
 

@@ -105,8 +105,8 @@ class Textures(Case):
 
     def test_the_period_is_a_scale(self):
         """A tile of 40 cm has the pattern of one of 40 units, and heights 100 times less."""
-        wide = craze.texture("mud", 24, 40.0, ["height"], seed=3)["height"]
-        small = craze.texture("mud", 24, "40cm", ["height"], seed=3)["height"]
+        wide = craze.texture("mud", 24, 40.0, ["height"], seed=1)["height"]
+        small = craze.texture("mud", 24, "40cm", ["height"], seed=1)["height"]
         self.assertLess(wide.min(), 0)
         np.testing.assert_allclose(small, wide / 100, rtol=1e-5, atol=1e-7)
 

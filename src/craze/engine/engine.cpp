@@ -42,6 +42,11 @@ void warn_of_unused_unit(Report& report, const SurfaceMesh& surface) {
 /// What settling wants of a run that has ended, and of the report so far.
 void grow_into(CrackedSurface& state, SpacedRun run, const Report& report,
                const Yardstick& yardstick) {
+  if (!run.surface.numbering.empty()) {
+    const Numbering back = inverse(run.surface.numbering);
+    run.last.simulation->renumber(back);
+    renumber(run.surface.mesh, back);
+  }
   state.simulation = std::move(run.last.simulation);
   const bool on_itself = run.surface.asset.triangles.empty();
   state.surface = std::make_shared<const SurfaceMesh>(

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "craze/engine/check_scale.h"
+#include "craze/mesh/numbering/spatial_numbering.h"
 #include "craze/mesh/remesh/remesh.h"
 #include "craze/model/sources/input_fields.h"
 #include "craze/model/sources/painted_multiplier.h"
@@ -122,7 +123,15 @@ double mean_edge(const std::vector<Vec3>& positions, const std::vector<Triangle>
 }
 
 std::vector<Vec3> smooth_asset(const SurfaceMesh& asset, const Recipe& recipe, double coarseness) {
-  return smooth_positions(asset, remesh_options(asset, {}, recipe, coarseness));
+  const RemeshOptions options = remesh_options(asset, {}, recipe, coarseness);
+  SurfaceMesh surface;
+  surface.positions = asset.positions;
+  surface.triangles = asset.triangles;
+  const Numbering numbering = spatial_numbering(surface.positions, surface.triangles);
+  renumber(surface, numbering);
+  std::vector<Vec3> positions = smooth_positions(surface, options);
+  reorder(positions, inverse(numbering).vertices);
+  return positions;
 }
 
 SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
@@ -130,7 +139,15 @@ SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
                                      double coarseness) {
   const RemeshOptions options = remesh_options(repaired, period, recipe, coarseness);
   check_scale(repaired, recipe, options.target_edge, physical_memory(), period);
-  if (options.target_edge == 0) return {std::move(repaired), {}, {}, {}, period, {}};
+  SimulationSurface surface;
+  surface.period = period;
+  Numbering numbering = spatial_numbering(repaired.positions, repaired.triangles);
+  renumber(repaired, numbering);
+  if (options.target_edge == 0) {
+    surface.mesh = std::move(repaired);
+    surface.numbering = std::move(numbering);
+    return surface;
+  }
 
   const MaterialParameters& material = recipe.simulation.material;
   const bool may_forbid = !material.attribute.empty() || !recipe.simulation.layer.attribute.empty();
@@ -143,17 +160,19 @@ SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
         {"forbidden", 1, std::vector<double>(zero.begin(), zero.end())});
   }
   // Without source_faces of its own the surface is numbered by its faces.
-  const std::vector<std::int32_t> source_faces = std::exchange(repaired.source_faces, {});
-  SimulationSurface surface;
-  surface.period = period;
+  std::vector<std::int32_t> source_faces = std::exchange(repaired.source_faces, {});
   std::vector<Vec3> positions = smooth_positions(repaired, options);
   if (!positions.empty()) positions.swap(repaired.positions);
   surface.mesh = remesh(repaired, options, context);
+  renumber(surface.mesh, spatial_numbering(surface.mesh.positions, surface.mesh.triangles));
   if (!positions.empty()) {
     surface.smooth = std::exchange(repaired.positions, std::move(positions));
   }
   surface.asset_face = surface.mesh.source_faces;
-  if (!source_faces.empty()) {
+  for (std::int32_t& f : surface.asset_face) f = numbering.faces[f];
+  if (source_faces.empty()) {
+    surface.mesh.source_faces = surface.asset_face;
+  } else {
     for (std::int32_t& f : surface.mesh.source_faces) f = source_faces[f];
   }
   if (may_forbid) {
@@ -162,8 +181,11 @@ SimulationSurface simulation_surface(SurfaceMesh repaired, const Recipe& recipe,
     repaired.face_attributes.pop_back();
   }
   if (recipe.mesh.output == OutputMesh::asset) {
+    repaired.source_faces = std::move(source_faces);
+    const Numbering back = inverse(numbering);
+    renumber(repaired, back);
+    reorder(surface.smooth, back.vertices);
     surface.asset = std::move(repaired);
-    surface.asset.source_faces = source_faces;
   }
   return surface;
 }

@@ -6,6 +6,7 @@
 
 #include "craze/base/period.h"
 #include "craze/context.h"
+#include "craze/mesh/numbering/numbering.h"
 #include "craze/recipe.h"
 #include "craze/surface_mesh.h"
 
@@ -13,7 +14,11 @@ namespace craze {
 
 /// What the simulation runs on.
 struct SimulationSurface {
-  SurfaceMesh mesh;  ///< with every attribute of the repaired input
+  /// With every attribute of the repaired input, numbered by spatial_numbering(): what lies near in
+  /// memory is read faster, and cracks do not depend on the order in which a file lists things.
+  SurfaceMesh mesh;
+  /// Of `mesh` where it is the repaired input itself: from the input's numbers; else empty.
+  Numbering numbering = {};
   /// #F, 1 where a multiplier of the recipe is zero at the input's triangle or one of its corners;
   /// empty: nowhere. A finer mesh mixes what the corners hold, but not this.
   std::vector<std::uint8_t> forbidden = {};

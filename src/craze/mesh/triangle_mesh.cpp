@@ -152,6 +152,29 @@ std::int32_t TriangleMesh::separate(std::int32_t v, std::int32_t fan_start, bool
   return copy;
 }
 
+void TriangleMesh::renumber(const Numbering& numbering) {
+  const auto [vertices, faces] = inverse(numbering);
+  const auto halfedge = [&faces = faces](std::int32_t h) {
+    return h < 0 ? h : 3 * new_number(faces, h / 3) + h % 3;
+  };
+  for (Triangle& t : triangles_) {
+    for (std::int32_t& v : t) v = new_number(vertices, v);
+  }
+  for (std::int32_t& v : root_) v = new_number(vertices, v);
+  for (std::int32_t& h : opposite_) h = halfedge(h);
+  for (std::int32_t& h : first_halfedge_) h = halfedge(h);
+  for (std::int32_t& f : source_face_) f = new_number(faces, f);
+  for (std::int32_t& f : anchor_) f = new_number(faces, f);
+  reorder(positions_, numbering.vertices);
+  reorder(root_, numbering.vertices);
+  reorder(first_halfedge_, numbering.vertices);
+  reorder(anchor_, numbering.vertices);
+  reorder(pinned_, numbering.vertices);
+  reorder(triangles_, numbering.faces);
+  reorder(source_face_, numbering.faces);
+  reorder(opposite_, numbering.faces, 3);
+}
+
 void TriangleMesh::shrink_to_fit() {
   positions_.shrink_to_fit();
   triangles_.shrink_to_fit();

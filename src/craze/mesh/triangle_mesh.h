@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "craze/base/period.h"
+#include "craze/mesh/numbering/numbering.h"
 #include "craze/surface_mesh.h"
 #include "craze/tensor.h"
 
@@ -128,6 +129,9 @@ class TriangleMesh {
   /// face. It must be neither open nor pinned. The caller sees to it that no face of its star turns
   /// over.
   void slide(std::int32_t h, double t);
+
+  /// Gives everything its new number; the faces that sources and anchors name too.
+  void renumber(const Numbering& numbering);
 
   /// Gives back the memory that was kept for more edits.
   void shrink_to_fit();

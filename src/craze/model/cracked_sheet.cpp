@@ -40,6 +40,11 @@ void CrackedSheet::slide(std::int32_t h, double t) {
   field_.follow_slide(mesh_, v, toward, t, unstrained);
 }
 
+void CrackedSheet::renumber(const Numbering& numbering) {
+  mesh_.renumber(numbering);
+  field_.renumber(numbering);
+}
+
 void CrackedSheet::shrink_to_fit() {
   mesh_.shrink_to_fit();
   field_.shrink_to_fit();

@@ -29,6 +29,8 @@ class CrackedSheet {
   /// TriangleMesh::slide. The vertex takes u from between the two ends; the faces of its star keep
   /// their unstrained stress and get what the displacements now make of it.
   void slide(std::int32_t h, double t);
+  /// TriangleMesh::renumber, of the field too.
+  void renumber(const Numbering& numbering);
   /// Gives back the memory that was kept for more edits.
   void shrink_to_fit();
 

@@ -328,6 +328,21 @@ void Simulation::update_failure_criteria(const Context& context) {
   changed_.clear();
 }
 
+void Simulation::renumber(const Numbering& numbering) {
+  const Numbering now = inverse(numbering);
+  sheet_.renumber(numbering);
+  watch_.renumber(now.vertices);
+  reorder(fields_.toughness_scale, numbering.faces);
+  reorder(fields_.separation_scale, numbering.faces);
+  reorder(fields_.preferred, numbering.faces);
+  for (OpenedSegment& segment : opened_) {
+    CrackSegment& s = segment.geometry;
+    s.from_root = new_number(now.vertices, s.from_root);
+    s.to_root = new_number(now.vertices, s.to_root);
+    s.source_face = new_number(now.faces, s.source_face);
+  }
+}
+
 Sym3 Simulation::separation(std::int32_t v) const {
   return mean_factor(mesh(), fields_.separation_scale, v) *
          separation_tensor(mesh(), field(), v).tensor;

@@ -63,6 +63,10 @@ class Simulation {
   /// steps of an OnsetLoading, which are bounded.
   StopReason run(const Context& context, const OnOpened& on_opened = {});
 
+  /// Gives the mesh and all that is known of it other numbers, those that it started with. After it
+  /// the simulation cannot run on.
+  void renumber(const Numbering& numbering);
+
   const TriangleMesh& mesh() const { return sheet_.mesh(); }
   /// σ, F and u at load 1: load_on_field() times these are the state that was reached.
   const StressField& field() const { return sheet_.field(); }

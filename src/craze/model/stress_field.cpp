@@ -246,6 +246,15 @@ void StressField::follow(const TriangleMesh& mesh, std::int32_t vertex, std::int
   }
 }
 
+void StressField::renumber(const Numbering& numbering) {
+  reorder(adhesion_, numbering.faces);
+  reorder(elements_, numbering.faces);
+  for (auto* vectors : {&forces_, &displacements_}) reorder(*vectors, numbering.vertices);
+  reorder(normals_, numbering.vertices);
+  reorder(node_areas_, numbering.vertices);
+  reorder(held_, numbering.vertices);
+}
+
 void StressField::shrink_to_fit() {
   if (elements_.size() * sizeof(Element) <= large) elements_.shrink_to_fit();
   for (auto* vectors : {&forces_, &displacements_}) vectors->shrink_to_fit();

@@ -97,6 +97,7 @@ class StressField {
   void follow_slide(const TriangleMesh& mesh, std::int32_t v, std::int32_t toward, double t,
                     const std::vector<Sym3>& unstrained);
 
+  void renumber(const Numbering& numbering);
   void shrink_to_fit();
   Element make_element(const TriangleMesh& mesh, std::int32_t f) const;
   void update_node_area(const TriangleMesh& mesh, std::int32_t v);

@@ -259,6 +259,15 @@ void FailureWatch::opened(const Scene& scene, std::int32_t v, const Vec3& normal
   }
 }
 
+void FailureWatch::renumber(const std::vector<std::int32_t>& now) {
+  const auto residuals = std::exchange(residuals_, {});
+  for (const auto& [v, residual] : residuals) residuals_[new_number(now, v)] = residual;
+  queue_ = {};
+  failing_ = std::vector<Failure>();
+  resistance_ = std::vector<double>();
+  scars_ = std::vector<Scar>();
+}
+
 void FailureWatch::shrink_to_fit() {
   queue_.shrink_to_fit();
   failing_.shrink_to_fit();

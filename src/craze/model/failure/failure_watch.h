@@ -57,6 +57,8 @@ class FailureWatch {
   /// the mean stress there (stress_ahead.h) in the place of ς.
   CrackPlane crack_plane(const Scene& scene, std::int32_t v);
 
+  /// residual() goes by other numbers from now on, `now` the new ones. Nothing else may be asked.
+  void renumber(const std::vector<std::int32_t>& now);
   /// Gives back the memory that was kept for more nodes.
   void shrink_to_fit();
 

@@ -244,16 +244,24 @@ void Equilibrium::apply(StressField& field, const LayerState& layer, const Patch
     field.displacements()[answer.nodes[i]].v += displacements[i].v;
     slot[answer.nodes[i]] = i;
   }
-  workshop.faces.clear();
+  std::vector<std::int32_t>& faces = workshop.faces;
+  std::size_t count = 0;
   const auto add_faces = [&](const std::vector<std::int32_t>& nodes) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (i + ahead < nodes.size()) layer.stiffness.prefetch_faces(nodes[i + ahead]);
       const TangentStiffness::Faces own = layer.stiffness.own_faces(nodes[i]);
-      for (const std::int32_t f : own) workshop.faces.push_back(f);  // two of them, mostly
+      const std::size_t copied = std::max(own.count, TangentStiffness::readable_faces);
+      if (count + copied > faces.size()) faces.resize(2 * (count + copied));
+      // How many there are nobody foresees, so that as many are copied of most nodes.
+      std::copy_n(own.first, TangentStiffness::readable_faces, faces.begin() + count);
+      for (std::int32_t k = TangentStiffness::readable_faces; k < own.count; ++k)
+        faces[count + k] = own.first[k];
+      count += own.count;
     }
   };
   add_faces(answer.nodes);
   add_faces(answer.held);
+  faces.resize(count);
   field.displace(layer.mesh, workshop.faces, slot, displacements, drift_);
   for (std::int32_t i = 0; i < answer.active; ++i) slot[answer.nodes[i]] = -1;
 }

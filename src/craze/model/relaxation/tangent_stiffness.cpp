@@ -117,7 +117,7 @@ void TangentStiffness::make_room(const TriangleMesh& mesh, std::int32_t v, std::
   extent.begin = static_cast<std::uint32_t>(columns_.size());
   extent.capacity = count + spare;
   columns_.resize(columns_.size() + extent.capacity, -1);
-  faces_.resize(faces_.size() + extent.capacity, -1);
+  faces_.resize(columns_.size() + readable_faces, -1);
   blocks_.resize(blocks_.size() + extent.capacity);
 }
 

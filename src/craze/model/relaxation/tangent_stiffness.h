@@ -34,11 +34,11 @@ class TangentStiffness {
   };
 
   /// Faces of which a node has the lowest index of the three: each face is in one such list.
+  /// So many can be read, whatever the count.
+  static constexpr std::int32_t readable_faces = 8;
   struct Faces {
     const std::int32_t* first;
     std::int32_t count;
-    const std::int32_t* begin() const { return first; }
-    const std::int32_t* end() const { return first + count; }
   };
 
   /// adhesion: κ, 1/length².
