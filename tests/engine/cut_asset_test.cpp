@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "craze/error.h"
 #include "craze/shapes.h"
@@ -58,6 +60,32 @@ TEST(ACut, OfOneSegmentInsideAFaceIsASlitWithTwoTips) {
   test::check_cut(asset, cut);
   EXPECT_EQ(cut.edges.size(), 2u);  // a vertex between the tips, or it could not open
   EXPECT_EQ(cut.positions.size(), asset.positions.size() + 4);
+}
+
+TEST(ACut, OfACurveThatTurnsBackJustBeyondAnEdgeHasNoSpurThere) {
+  SurfaceMesh asset;
+  asset.positions = {Vec3(0, -1, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(1, 0, 0)};
+  asset.triangles = {{0, 1, 2}, {1, 0, 3}};
+  const auto at = [](double x, double y) {  // the edge is x = 0
+    const double share = (1 - std::abs(x) + y) / 2;
+    return x < 0 ? SurfacePoint{0, Vec3(1 + x - share, share, -x)}
+                 : SurfacePoint{1, Vec3(share, 1 - x - share, x)};
+  };
+  const CrackCurves curves{{at(-0.2, -0.03), at(0.02, 0), at(-0.2, 0.03), at(-0.4, 0.03)},
+                           {{0, 1}, {1, 2}, {2, 3}}};
+  const CutAsset cut = test::cut(asset, curves, {0.015, nullptr, {}});
+  test::check_cut(asset, cut);
+  const auto place = weld(cut.positions, 0);
+  std::map<std::int32_t, int> degrees;
+  for (const CutEdge& e : cut.edges) {
+    const Triangle& t = cut.triangles[e.side[0] / 3];
+    for (const int k : {0, 1}) ++degrees[place[t[(e.side[0] + k) % 3]]];
+  }
+  for (const auto& [v, degree] : degrees) EXPECT_LE(degree, 2);
+  int tips = 0;
+  for (const std::size_t p : {0, 1, 2, 3}) tips += degrees.at(place[cut.point_vertex[p]]) == 1;
+  EXPECT_EQ(tips, 2);
+  EXPECT_EQ(cut.positions[cut.point_vertex[1]].x(), 0);
 }
 
 TEST(ACut, LeftSidesLieLeftOfTheirCurve) {

@@ -11,6 +11,7 @@
 #include "craze/engine/asset/lone_lines.h"
 #include "craze/engine/asset/part_sides.h"
 #include "craze/engine/asset/refine_asset.h"
+#include "craze/engine/asset/spurs.h"
 #include "craze/error.h"
 
 namespace craze {
@@ -102,6 +103,7 @@ CutAsset cut_asset(const SurfaceMesh& asset, const AssetTopology& topology,
   }
   context.check();
   RefinedAsset refined = refine_asset(asset, topology, sites, pieces, points, options.snap);
+  drop_spurs(pieces, refined);
   halve_lone_lines(topology, sites, refined);
   context.check();
   const LineSides sides = part_sides(asset, topology, sites, refined);

@@ -44,7 +44,8 @@ struct CutReport {
 ///   its plane, parts face as it does and none is flat. Both faces at an edge are split alike.
 /// - Every curve edge that is not lost is a chain of open edges between the vertices of its points.
 ///   Curves that meet or cross share a vertex. A crack that ends inside the surface ends in one
-///   vertex, a tip.
+///   vertex, a tip. Where a curve turns back onto itself, the vertex of its turn is that where its
+///   ways part (spurs.h).
 /// - Two corners of faces that share a vertex of the asset and lie on one side share it still.
 /// - The same input gives the same bytes. Cost: that of neighbourhoods, O(#V log #V + #F), and
 ///   O(n log n) in the number of pieces that curves fall into at edges.
