@@ -66,6 +66,7 @@ class Limiter {
       sound = step(round < rounds_of_steps ? step_back : 0);
       if (round == 0 && !sound) begin_smaller();
     }
+    if (sound) give_back_walls();
     context_.report({"open", 1});
     OpeningLimit limit;
     if (!sound) {
@@ -123,6 +124,40 @@ class Limiter {
     lowered_moves_ = take(less_move, left, shares_.move);
     lowered_depths_ = take(less_depth, left, shares_.depth);
     return turned.empty() && pairs.empty();
+  }
+
+  /// Walls that lost their depth before the movement that was too much for them was taken back are
+  /// shallow where that leaves room for them.
+  void give_back_walls() {
+    std::vector<std::uint8_t> given(shares_.depth.size(), 0);
+    for (const std::int32_t v : motion_.walls.vertex) {
+      given[v] = shares_.depth[v] == 0;
+      if (given[v]) set_depth(v, shallow);
+    }
+    bool sound = std::find(given.begin(), given.end(), 1) == given.end();
+    for (int round = 0; !sound; ++round) {
+      context_.check();
+      const Pairs pairs = crossings(motion_.positions(shares_));
+      sound = pairs.empty() || round == rounds;
+      for (const auto& [f, g] : pairs) {
+        for (const std::int32_t face : {f, g}) {
+          for (const std::int32_t v : triangles_[face]) {
+            if (v >= mesh_.vertex_count() && given[top_of(v)]) set_depth(top_of(v), 0);
+          }
+        }
+      }
+      if (round < rounds) continue;
+      for (const std::int32_t v : motion_.walls.vertex) {
+        if (given[v]) set_depth(v, 0);
+      }
+    }
+  }
+
+  /// On all of a vertex's site.
+  void set_depth(std::int32_t v, double share) {
+    shares_.depth[v] = share;
+    if (motion_.sites.site_of[v] < 0) return;
+    for (const std::int32_t u : on_site_[motion_.sites.site_of[v]]) shares_.depth[u] = share;
   }
 
   /// turned_faces(), asked again only of what moved for the last crossings().
