@@ -186,7 +186,7 @@ TEST(Chips, OfSolidsLeaveThemClosedAndApart) {
 }
 
 TEST(Chips, TakeLittleOfSolidsWhoseCellsAreSmall) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1, 2, 3, 4, 11}) {
     Recipe recipe = read_preset("mud");
     recipe.simulation.layer.relative_spacing = 0.12;
     recipe.post.relative_roughness = 0;

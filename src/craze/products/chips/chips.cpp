@@ -241,13 +241,13 @@ double Chip::inwards_at(double x) const {
 }
 
 ChipOptions chip_options(const PostParameters& post, double spacing, std::uint64_t seed) {
-  constexpr double of_wall = 0.8, of_thickness = 0.5;
+  constexpr double of_thickness = 0.5;
   ChipOptions options{post.chipping, post.chip_size, spacing};
   options.seed = seed;
   if (post.thickness > 0) {
     options.deepest = of_thickness * post.thickness;
   } else if (post.wall > 0) {
-    options.deepest = of_wall * post.wall;
+    options.deepest = chips_of_wall * post.wall;
   }
   return options;
 }

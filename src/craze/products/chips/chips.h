@@ -40,6 +40,9 @@ struct ChipOptions {
   std::uint64_t seed = 1;
 };
 
+/// How much of the depth of a wall chips may take.
+inline constexpr double chips_of_wall = 0.8;
+
 /// How deep chips may go: most of a wall, half of a solid piece.
 ChipOptions chip_options(const PostParameters& post, double spacing, std::uint64_t seed);
 

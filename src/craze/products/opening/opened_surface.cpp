@@ -112,6 +112,13 @@ void flatten_chips(const std::vector<Vec3>& positions, const std::vector<double>
   }
 }
 
+/// How deep walls are that are there to find crossings alone; chips do not go below them.
+double probe(const TriangleMesh& mesh, double thickness, const std::vector<double>& chip_depth) {
+  double depth = probe_depth * bounding_diagonal(mesh.positions());
+  for (const double chip : chip_depth) depth = std::max(depth, chip / chips_of_wall);
+  return std::min(depth, thickness);
+}
+
 /// post.face_roughness, of walls that are there.
 std::vector<std::string> roughen_faces(const CrackedSurface& state, const TriangleMesh& mesh,
                                        PostParameters post, std::uint64_t seed, OpenedMesh& opened,
@@ -220,10 +227,7 @@ OpenedSurface opened_surface(const Result& result, SurfaceMesh cut, GrowthTimes 
   options.wall = post.wall;
   if (post.thickness > 0) {
     // Shallow ones, which tell where rims in one plane would slide over each other.
-    options.wall =
-        post.gap > 0
-            ? std::min<double>(post.thickness, probe_depth * bounding_diagonal(mesh.positions()))
-            : 0;
+    options.wall = post.gap > 0 ? probe(mesh, post.thickness, options.chip_depth) : 0;
   }
   options.curl = post.curl;
   bound_opening(mesh, displacement, options, surface.warnings);

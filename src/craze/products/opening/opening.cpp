@@ -64,6 +64,13 @@ std::vector<Vec3> chip_shifts(const std::vector<Vec3>& normals, const std::vecto
   return shift;
 }
 
+/// Needles that chips would turn over go as deep as one; `chipped` becomes what was added.
+void add_chips(const TriangleMesh& mesh, const OpeningOptions& options, std::vector<Vec3>& chipped,
+               std::vector<Vec3>& shift) {
+  if (!options.keep_border) chipped = needles_moved_as_one(mesh, std::move(chipped), shift);
+  for (std::size_t v = 0; v < chipped.size(); ++v) shift[v] += chipped[v];
+}
+
 void add_walls(const SideWalls& walls, OpenedMesh& opened) {
   SurfaceMesh& mesh = opened.mesh;
   mesh.triangles.insert(mesh.triangles.end(), walls.triangles.begin(), walls.triangles.end());
@@ -85,7 +92,7 @@ OpenedMesh open_cracks(const TriangleMesh& mesh, const std::vector<Vec3>& displa
   if (!options.keep_border) shift = needles_moved_as_one(mesh, std::move(shift));
 
   std::vector<Vec3> chipped = chip_shifts(normals, options.chip_depth);
-  for (std::size_t v = 0; v < chipped.size(); ++v) shift[v] += chipped[v];
+  if (!chipped.empty()) add_chips(mesh, options, chipped, shift);
 
   SideWalls walls;
   if (options.wall > 0) {

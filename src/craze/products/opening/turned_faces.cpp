@@ -68,7 +68,8 @@ std::vector<std::int32_t> turned_faces(const TriangleMesh& mesh,
   return faces;
 }
 
-std::vector<Vec3> needles_moved_as_one(const TriangleMesh& mesh, std::vector<Vec3> shift) {
+std::vector<Vec3> needles_moved_as_one(const TriangleMesh& mesh, std::vector<Vec3> shift,
+                                       const std::vector<Vec3>& before) {
   std::vector<std::int32_t> parent(shift.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto find = [&](std::int32_t v) {
@@ -78,6 +79,7 @@ std::vector<Vec3> needles_moved_as_one(const TriangleMesh& mesh, std::vector<Vec
   std::vector<Vec3> together = shift;
   for (int round = 0; round < rounds; ++round) {
     std::vector<Vec3> positions = mesh.positions();
+    for (std::size_t v = 0; v < before.size(); ++v) positions[v] += before[v];
     for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += together[v];
     const std::vector<std::int32_t> turned = turned_faces(mesh, positions);
     if (turned.empty()) break;

@@ -21,7 +21,8 @@ bool is_turned(const TriangleMesh& mesh, const std::vector<Vec3>& positions, std
 /// shifts, of those on hard edges or at corners alone where there are any: needles beside a crack,
 /// which its rims would overtake. So what is wider than a needle opens all the way. Where more than
 /// a hundredth of the faces would turn, it is not about needles, and the shifts come back as they
-/// are.
-std::vector<Vec3> needles_moved_as_one(const TriangleMesh& mesh, std::vector<Vec3> shift);
+/// are. `before` (#V, or none): shifts that are made first, and stand.
+std::vector<Vec3> needles_moved_as_one(const TriangleMesh& mesh, std::vector<Vec3> shift,
+                                       const std::vector<Vec3>& before = {});
 
 }  // namespace craze
