@@ -17,7 +17,9 @@ Json& materials_of(Json& root) {
 std::string free_name(const Json& materials, const std::string& wanted) {
   const auto is_taken = [&](const std::string& name) {
     return std::any_of(materials.begin(), materials.end(), [&](const Json& material) {
-      return material.contains("name") && material["name"] == Json(name);
+      const auto found = material.find("name");
+      return found != material.end() && found->is_string() &&
+             found->get_ref<const std::string&>() == name;
     });
   };
   std::string name = wanted;
