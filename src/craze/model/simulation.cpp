@@ -330,8 +330,8 @@ void Simulation::update_failure_criteria(const Context& context) {
 
 void Simulation::renumber(const Numbering& numbering) {
   const Numbering now = inverse(numbering);
+  watch_.renumber(now.vertices);  // gives back memory
   sheet_.renumber(numbering);
-  watch_.renumber(now.vertices);
   reorder(fields_.toughness_scale, numbering.faces);
   reorder(fields_.separation_scale, numbering.faces);
   reorder(fields_.preferred, numbering.faces);
