@@ -66,7 +66,7 @@ void FailureWatch::foresee(const Scene& scene, double least_measure, const Threa
   }
   // Otherwise the first crack of the step would leave next to nothing of it.
   if (influence_ > scene.relaxation.independence_distance()) return;
-  foreseen_.begin(queue_.from(least_measure));
+  foreseen_.begin(scene.mesh, queue_.from(least_measure));
   std::vector<ForeseenFailure>& all = foreseen_.all();
   parallel_for(threads, all.size(), 4, [&](std::size_t begin, std::size_t end) {
     StressAhead stress_ahead;
