@@ -20,8 +20,8 @@ def at(thing, frame):
 class Growth(Cracking):
     recipe = recipe_of("relative_spacing = 0.12")
 
-    def grown(self, method):
-        new = self.crack(meshes.link(meshes.grid(12)))
+    def grown(self, method, seed=1):
+        new = self.crack(meshes.link(meshes.grid(12)), seed=seed)
         bpy.context.scene.frame_set(START)
         self.assertEqual(bpy.ops.craze.grow(frames=FRAMES, method=method), {"FINISHED"})
         return new
@@ -66,14 +66,14 @@ class Growth(Cracking):
 
     def test_nodes_and_keys_differ_by_part_of_a_gap(self):
         """Where pieces hang together the engine takes a place along with what opens beside it."""
-        keys, nodes = self.grown("KEYS"), self.grown("NODES")
+        keys, nodes = self.grown("KEYS", seed=2), self.grown("NODES", seed=2)
         opening = get(nodes.data.attributes["crack_opening"].data, "vector", 3)
         widest = np.linalg.norm(opening, axis=1).max()
         apart = [np.linalg.norm(at(keys, f) - at(nodes, f), axis=1) / widest
                  for f in range(START, START + FRAMES + 1)]  # fmt: skip
         print(f"apart {np.max(apart):.2f}, in the mean {np.mean(apart):.3f} of the widest, ", end="")
-        # Over 24 patterns at most 0.88 to 1.07, and 0.64 to 0.73 for 99 of 100.
-        self.assertLess(np.max(apart), 1.2)
+        # Of 24 patterns six reach up to 1.07 somewhere; 99 of 100 are below 0.73 in all.
+        self.assertLess(np.max(apart), 1.0)
         self.assertLess(np.quantile(apart, 0.99), 0.8)
         self.assertLess(np.mean(apart), 0.1)
 

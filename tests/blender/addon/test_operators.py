@@ -160,7 +160,7 @@ class Operators(Cracking):
         thing = meshes.link(meshes.grid(14))
         thing.location = (0, 0, 0.5)
         bpy.context.view_layer.update()
-        self.crack(thing)
+        self.crack(thing, seed=3)
         self.assertEqual(bpy.ops.craze.pieces(thickness=0.1), {"FINISHED"})
         pieces = self.pieces()
         bpy.ops.mesh.primitive_cube_add(size=40, location=(0, 0, -20))
@@ -182,12 +182,12 @@ class Operators(Cracking):
         self.assertLess(moved, 1e-3)
         self.assertTrue((here[:, 2] < start[:, 2] - 0.2).all())
         self.assertTrue((here[:, 2] > 0).all())
-        # Hulls of hollow pieces overlap at first, by less than a piece, and part; one may be thrown
-        # farther than others (over 16 patterns 0.3 to 1.7 sizes, half of the pieces below 0.5).
+        # Hulls of hollow pieces overlap at first, by less than a piece, and part. (In four of sixteen
+        # patterns one is thrown farther, by up to 1.7 sizes.)
         size = max(max(p.dimensions) for p in pieces)
-        aside = np.abs(here[:, :2] - start[:, :2]).max(axis=1) / size
-        self.assertLess(np.median(aside), 0.75)
-        self.assertLess(aside.max(), 2.5)
+        aside = np.abs(here[:, :2] - start[:, :2]).max(axis=1)
+        self.assertLess(np.median(aside), 0.75 * size)
+        self.assertLess(aside.max(), size)
 
     def test_a_core_stays(self):
         bpy.ops.mesh.primitive_uv_sphere_add(segments=24, ring_count=16)
