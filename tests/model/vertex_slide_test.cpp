@@ -112,12 +112,7 @@ TEST(VertexSlide, ACrackRunsStraightPastAVertexThatGivesWay) {
 TEST(VertexSlide, AttributesStayWhereTheyWere) {
   const SurfaceMesh plate = make_shape("plate?n=30&jitter=0.3");
   ASSERT_FALSE(plate.corner_uvs.empty());
-  SimulationParameters p;
-  p.engine = Engine::quasistatic;
-  p.material.criterion = Criterion::strength;
-  p.material.relative_toughness = 0.3;
-  p.layer.screening_length = 0.12;
-  p.evolution.max_load = 2;
+  SimulationParameters p = test::layer_run();
   p.crack = {25, 15, NearVertex::slide};
   Simulation s = test::simulation_of("plate?n=30&jitter=0.3", p);
   s.run({});
