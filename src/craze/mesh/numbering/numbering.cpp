@@ -27,12 +27,8 @@ void renumber(SurfaceMesh& surface, const Numbering& numbering) {
   reorder(surface.face_materials, numbering.faces);
   reorder(surface.face_objects, numbering.faces);
   reorder(surface.source_faces, numbering.faces);
-  for (Attribute& a : surface.vertex_attributes) {
-    reorder(a.values, numbering.vertices, static_cast<std::size_t>(a.components));
-  }
-  for (Attribute& a : surface.face_attributes) {
-    reorder(a.values, numbering.faces, static_cast<std::size_t>(a.components));
-  }
+  for (Attribute& a : surface.vertex_attributes) a = pick(a, numbering.vertices);
+  for (Attribute& a : surface.face_attributes) a = pick(a, numbering.faces);
 }
 
 }  // namespace craze
