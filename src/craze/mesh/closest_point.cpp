@@ -3,19 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace craze {
 
 namespace {
 
 constexpr std::int32_t leaf_size = 4;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double squared_distance(const Vec3& low, const Vec3& high, const Vec3& p) {
-  return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
-}
 
 }  // namespace
 
@@ -60,61 +53,75 @@ ClosestPoint::ClosestPoint(const std::vector<Vec3>& positions,
 }
 
 void ClosestPoint::build() {
-  order_.resize(triangles_.size());
-  std::iota(order_.begin(), order_.end(), 0);
-  if (order_.empty()) return;
-  std::vector<Vec3> centers;
-  centers.reserve(triangles_.size());
-  for (const Triangle& t : triangles_) {
-    centers.emplace_back((positions_[t[0]] + positions_[t[1]] + positions_[t[2]]) / 3);
-  }
-  const auto add_node = [&](std::int32_t first, std::int32_t count) {
-    nodes_.push_back({Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), first, count});
+  if (triangles_.empty()) return;
+  struct Centre {
+    Vec3 at;
+    std::int32_t face;
   };
-  add_node(0, static_cast<std::int32_t>(order_.size()));
+  std::vector<Centre> centres;
+  centres.reserve(triangles_.size());
+  for (const Triangle& t : triangles_) {
+    centres.push_back({(positions_[t[0]] + positions_[t[1]] + positions_[t[2]]) / 3,
+                       static_cast<std::int32_t>(centres.size())});
+  }
+  nodes_.push_back({});
+  nodes_[0].count = static_cast<std::int32_t>(centres.size());
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const std::int32_t first = nodes_[n].first, count = nodes_[n].count;
-    Vec3 low = Vec3::Constant(infinity), high = -low, center_low = low, center_high = high;
-    Vec3 normal_low = low, normal_high = high;
-    for (std::int32_t i = first; i < first + count; ++i) {
-      for (std::int32_t v : triangles_[order_[i]]) {
-        low = low.cwiseMin(positions_[v]);
-        high = high.cwiseMax(positions_[v]);
-      }
-      center_low = center_low.cwiseMin(centers[order_[i]]);
-      center_high = center_high.cwiseMax(centers[order_[i]]);
-      normal_low = normal_low.cwiseMin(normals_[order_[i]]);
-      normal_high = normal_high.cwiseMax(normals_[order_[i]]);
-    }
-    nodes_[n].low = low;
-    nodes_[n].high = high;
-    nodes_[n].normal_low = normal_low;
-    nodes_[n].normal_high = normal_high;
+    const auto begin = centres.begin() + first, end = begin + count;
     if (count <= leaf_size) {
       // In one order, whatever nth_element left: of equally near faces the first is found.
-      std::sort(order_.begin() + first, order_.begin() + first + count);
+      std::sort(begin, end, [](const Centre& f, const Centre& g) { return f.face < g.face; });
       continue;
     }
+    Vec3 low = begin->at, high = low;
+    for (auto centre = begin; centre != end; ++centre) {
+      low = low.cwiseMin(centre->at);
+      high = high.cwiseMax(centre->at);
+    }
     int axis = 0;
-    (center_high - center_low).maxCoeff(&axis);
+    (high - low).maxCoeff(&axis);
     const std::int32_t half = count / 2;
-    std::nth_element(order_.begin() + first, order_.begin() + first + half,
-                     order_.begin() + first + count, [&](std::int32_t f, std::int32_t g) {
-                       const double x = centers[f][axis], y = centers[g][axis];
-                       return x < y || (x == y && f < g);
-                     });
+    std::nth_element(begin, begin + half, end, [&](const Centre& f, const Centre& g) {
+      const double x = f.at[axis], y = g.at[axis];
+      return x < y || (x == y && f.face < g.face);
+    });
     nodes_[n].first = static_cast<std::int32_t>(nodes_.size());
     nodes_[n].count = 0;
-    add_node(first, half);
-    add_node(first + half, count - half);
+    nodes_.push_back({});
+    nodes_.back().first = first;
+    nodes_.back().count = half;
+    nodes_.push_back({});
+    nodes_.back().first = first + half;
+    nodes_.back().count = count - half;
+  }
+  order_.reserve(centres.size());
+  for (const Centre& centre : centres) order_.push_back(centre.face);
+  fit();
+}
+
+void ClosestPoint::fit() {
+  for (std::size_t n = nodes_.size(); n-- > 0;) {
+    Node& node = nodes_[n];
+    if (node.count == 0) {  // its children come after it
+      node.box = nodes_[node.first].box;
+      node.box.extend(nodes_[node.first + 1].box);
+      node.normals = nodes_[node.first].normals;
+      node.normals.extend(nodes_[node.first + 1].normals);
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+      for (const std::int32_t v : triangles_[order_[i]]) node.box.extend(positions_[v]);
+      node.normals.extend(normals_[order_[i]]);
+    }
   }
 }
 
 /// Whether any normal in the node's box has the filter's cosine.
 bool ClosestPoint::may_accept(const Node& node, const Filter& filter) {
   constexpr double roundings = 1e-12;
-  const Vec3 most = (node.normal_low.cwiseProduct(filter.normal))
-                        .cwiseMax(node.normal_high.cwiseProduct(filter.normal));
+  const Vec3 most = (node.normals.low.cwiseProduct(filter.normal))
+                        .cwiseMax(node.normals.high.cwiseProduct(filter.normal));
   return most.sum() >= filter.least - roundings;
 }
 
@@ -138,7 +145,7 @@ ClosestPoint::Hit ClosestPoint::find(const Vec3& point, const Filter& filter) co
   };
   std::array<Entry, 128> stack;  // two entries per level of a balanced tree of at most 2³¹ faces
   std::size_t top = 0;
-  stack[top++] = {0, squared_distance(nodes_[0].low, nodes_[0].high, point)};
+  stack[top++] = {0, nodes_[0].box.squared_distance(point)};
   const double enough = filter.enough * filter.enough;
   while (top > 0 && best.distance > enough) {
     const Entry e = stack[--top];
@@ -150,8 +157,8 @@ ClosestPoint::Hit ClosestPoint::find(const Vec3& point, const Filter& filter) co
     }
     if (node.count > 0) continue;
     Entry near{node.first, 0}, far{node.first + 1, 0};
-    near.distance = squared_distance(nodes_[near.node].low, nodes_[near.node].high, point);
-    far.distance = squared_distance(nodes_[far.node].low, nodes_[far.node].high, point);
+    near.distance = nodes_[near.node].box.squared_distance(point);
+    far.distance = nodes_[far.node].box.squared_distance(point);
     if (far.distance < near.distance) std::swap(near, far);
     stack[top++] = far;
     stack[top++] = near;

@@ -47,13 +47,31 @@ class ClosestPoint {
   void improve(Hit& best, std::int32_t f, const Vec3& point) const;
 
  private:
+  struct Box {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+
+    void extend(const Vec3& p) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    void extend(const Box& other) {
+      low = low.cwiseMin(other.low);
+      high = high.cwiseMax(other.high);
+    }
+    double squared_distance(const Vec3& p) const {
+      return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
+    }
+  };
+
   struct Node {
-    Vec3 low, high;
-    Vec3 normal_low, normal_high;  // the box around its faces' normals
-    std::int32_t first, count;  // a leaf's faces in order_; count 0: children at first, first + 1
+    Box box;
+    Box normals;  // around its faces' normals
+    // A leaf's faces in order_; count 0: children at first, first + 1.
+    std::int32_t first = 0, count = 0;
   };
 
   void build();
+  void fit();
   static bool may_accept(const Node& node, const Filter& filter);
 
   const std::vector<Vec3>& positions_;
