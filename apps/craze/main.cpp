@@ -1,6 +1,9 @@
 // The craze command: reads the command line, runs one verb, turns errors into one line and a code.
 #include <algorithm>
 #include <csignal>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "app.h"
 #include "craze/base/version.h"
@@ -97,9 +100,20 @@ int run_command(int argc, char** argv, MessageStyle style) {
   return action();
 }
 
+/// Arrays of four megabytes or more go back to the system when they are freed. The C library would
+/// come to keep those of up to 32, a sixth of what a large run takes.
+void give_back_large_arrays() {
+#ifdef __GLIBC__
+  constexpr int megabyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 4 * megabyte);
+  mallopt(M_TRIM_THRESHOLD, 8 * megabyte);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  give_back_large_arrays();
   fill_standard_streams();
   // A closed pipe and a limit on file sizes are failures to write, not ends of the process.
   std::signal(SIGPIPE, SIG_IGN);
