@@ -74,20 +74,23 @@ TEST(FailureQueue, ANodeWithoutAPositiveMeasureIsNotQueued) {
   EXPECT_EQ(queue.measure(1000), 0);
 }
 
-TEST(FailureQueue, TellsTheNodesFromAMeasureOn) {
+TEST(FailureQueue, TellsTheFirstNodesFromAMeasureOn) {
   FailureQueue queue;
-  for (std::int32_t v = 0; v < 100; ++v) queue.set(v, 0.01 * ((37 * v) % 100) + 1);
-  EXPECT_TRUE(queue.from(1).empty());  // nothing is in the heap as yet
+  for (std::int32_t v = 0; v < 100; ++v) queue.set(v, 0.01 * ((37 * v) % 100 / 2) + 1);
+  EXPECT_TRUE(queue.first(1, 100).empty());  // nothing is in the heap as yet
   queue.top();
-  std::vector<std::int32_t> found = queue.from(1.955);
-  std::sort(found.begin(), found.end());
   std::vector<std::int32_t> expected;
   for (std::int32_t v = 0; v < 100; ++v) {
-    if (queue.measure(v) >= 1.955) expected.push_back(v);
+    if (queue.measure(v) >= 1.445) expected.push_back(v);
   }
-  EXPECT_EQ(expected.size(), 4U);
-  EXPECT_EQ(found, expected);
-  EXPECT_TRUE(queue.from(3).empty());
+  EXPECT_EQ(expected.size(), 10U);
+  std::stable_sort(expected.begin(), expected.end(), [&](std::int32_t a, std::int32_t b) {
+    return queue.measure(a) > queue.measure(b);
+  });
+  EXPECT_EQ(queue.first(1.445, 100), expected);
+  expected.resize(3);
+  EXPECT_EQ(queue.first(1.445, 3), expected);
+  EXPECT_TRUE(queue.first(3, 100).empty());
 }
 
 }  // namespace

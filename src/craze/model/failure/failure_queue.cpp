@@ -44,18 +44,25 @@ std::int32_t FailureQueue::top() {
   return heap_.front().node;
 }
 
-std::vector<std::int32_t> FailureQueue::from(double measure) const {
-  std::vector<std::size_t> slots;
-  if (!heap_.empty() && heap_.front().measure >= measure) slots.push_back(0);
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const std::size_t first = children * slots[i] + 1;
-    for (std::size_t c = first; c < std::min(first + children, heap_.size()); ++c) {
-      if (heap_[c].measure >= measure) slots.push_back(c);
-    }
-  }
+std::vector<std::int32_t> FailureQueue::first(double measure, std::size_t most) const {
+  // Places of the heap whose parent has been taken, the first of them in front.
+  std::vector<std::size_t> reached;
+  const auto after = [&](std::size_t a, std::size_t b) { return heap_[b].before(heap_[a]); };
+  const auto reach = [&](std::size_t i) {
+    if (!(heap_[i].measure >= measure)) return;
+    reached.push_back(i);
+    std::push_heap(reached.begin(), reached.end(), after);
+  };
+  if (!heap_.empty()) reach(0);
   std::vector<std::int32_t> nodes;
-  nodes.reserve(slots.size());
-  for (const std::size_t i : slots) nodes.push_back(heap_[i].node);
+  while (!reached.empty() && nodes.size() < most) {
+    std::pop_heap(reached.begin(), reached.end(), after);
+    const std::size_t i = reached.back();
+    reached.pop_back();
+    nodes.push_back(heap_[i].node);
+    const std::size_t child = children * i + 1;
+    for (std::size_t c = child; c < std::min(child + children, heap_.size()); ++c) reach(c);
+  }
   return nodes;
 }
 

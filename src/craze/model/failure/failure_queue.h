@@ -20,8 +20,9 @@ class FailureQueue {
   bool empty() const { return heap_.empty() && waiting_ == 0; }
   /// Must not be empty.
   std::int32_t top();
-  /// The nodes of at least that measure > 0, as far as they are in the heap. O(#them).
-  std::vector<std::int32_t> from(double measure) const;
+  /// The first nodes of at least that measure > 0 in their order, as far as they are in the heap,
+  /// and no more than `most`. O(#them log #them).
+  std::vector<std::int32_t> first(double measure, std::size_t most) const;
   /// The measure of v; 0 where it is not queued.
   double measure(std::int32_t v) const {
     return v < static_cast<std::int32_t>(measures_.size()) ? measures_[v] : 0;

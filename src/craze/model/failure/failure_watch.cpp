@@ -66,7 +66,10 @@ void FailureWatch::foresee(const Scene& scene, double least_measure, const Threa
   }
   // Otherwise the first crack of the step would leave next to nothing of it.
   if (influence_ > scene.relaxation.independence_distance()) return;
-  foreseen_.begin(scene.mesh, queue_.from(least_measure));
+  // A step opens so many cracks and no more, however many nodes of a large mesh may crack.
+  const std::size_t few = 16, most = asked_ + asked_ / 4 + few;
+  asked_ = 0;
+  foreseen_.begin(scene.mesh, queue_.first(least_measure, most));
   std::vector<ForeseenFailure>& all = foreseen_.all();
   parallel_for(threads, all.size(), 4, [&](std::size_t begin, std::size_t end) {
     StressAhead stress_ahead;
@@ -81,9 +84,12 @@ void FailureWatch::foresee(const Scene& scene, double least_measure, const Threa
 }
 
 std::int32_t FailureWatch::next(const Scene& scene) {
+  std::int32_t last = -1;
   while (!queue_.empty()) {
     const std::int32_t v = queue_.top();
+    if (v != last) ++asked_;
     if (is_exact(v)) return v;
+    last = v;
     const ForeseenFailure* foreseen = foreseen_.find(v);
     failing_[v] = foreseen ? foreseen->failure : evaluate(scene, v, true);
     enter(scene, v);
@@ -114,10 +120,9 @@ void FailureWatch::enter(const Scene& scene, std::int32_t v) {
     unwatched = unwatched_part * std::max(0.0, room);
   }
   // v⁺ changes by no more than the forces do, times the factor on ς.
-  const double force_per_measure = failure.threshold / std::max(least_scale, failure.weight);
-  const double granted = scene.relaxation.allow_drift(v, unwatched * force_per_measure);
+  const double granted = scene.relaxation.allow_drift(v, unwatched * failure.threshold);
   double key = failure.measure;
-  if (!failure.exact && force_per_measure > 0) key += granted / force_per_measure;
+  if (!failure.exact && failure.threshold > 0) key += granted / failure.threshold;
   queue_.set(v, key * highest > 1 ? key : 0);
 }
 
@@ -139,11 +144,10 @@ Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) {
   if (residual != residuals_.end() && load > 0) {
     Sym3 driven = tensor;
     driven += (1 / load) * residual->second;
-    failure = failure_of(scene, v, driven, scale, true);
+    failure = failure_of(scene, v, driven, scale, weight, true);
     if (!(failure.measure * load > 1)) failure = {};
   }
-  if (failure.measure == 0) failure = failure_of(scene, v, tensor, scale, exact);
-  failure.weight *= weight;
+  if (failure.measure == 0) failure = failure_of(scene, v, tensor, scale, weight, exact);
   const auto arrested = arrested_.find(v);
   if (arrested != arrested_.end() &&
       std::abs(arrested->second.dot(failure.normal)) > arrest_cosine) {
@@ -154,7 +158,7 @@ Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) {
 }
 
 Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3& separation,
-                                 double scale, bool exact) {
+                                 double scale, double weight, bool exact) {
   Failure failure;
   Eigenpair pair;
   if (scene.fields.healed.empty()) {
@@ -163,13 +167,16 @@ Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3&
     const WeakPlane weak = scene.fields.healed.weakest_plane(weakness(scene, v), separation);
     pair = weak.plane;
     scale *= weak.strength;
-    failure.weight = weak.sensitivity;
+    weight *= weak.sensitivity;
   }
   failure.normal = pair.vector;
   failure.threshold = criterion_.least_threshold(scene.mesh, v, pair.vector, scale);
   if (!(failure.threshold > 0)) return failure;
   failure.measure = std::max(0.0, pair.value) / failure.threshold;
-  if (!exact) return failure;
+  if (!exact) {
+    failure.threshold /= std::max(least_scale, weight);
+    return failure;
+  }
   failure.exact = true;
   if (!(pair.value > 0)) return failure;
   failure.threshold = criterion_.threshold(scene.mesh, scene.field, v, pair, scale,

@@ -43,7 +43,8 @@ class FailureWatch {
   void look_at(const Scene& scene, std::vector<std::int32_t>& nodes, const Threads& threads);
 
   /// Before the cracks of a step: works out in parallel what next() and crack_plane() will say of
-  /// the nodes with at least that measure. They say the same without it.
+  /// the nodes with at least that measure, as many of the first as the last step asked for and some
+  /// more. They say the same without it.
   void foresee(const Scene& scene, double least_measure, const Threads& threads);
   /// After them.
   void forget_foreseen() { foreseen_.clear(); }
@@ -85,8 +86,9 @@ class FailureWatch {
 
   Sym3 biased(const Scene& scene, std::int32_t v, const Sym3& separation) const;
   Failure evaluate(const Scene& scene, std::int32_t v, bool exact);
+  /// `scale` is the factor on strength and toughness there, `weight` that on ς.
   Failure failure_of(const Scene& scene, std::int32_t v, const Sym3& separation, double scale,
-                     bool exact);
+                     double weight, bool exact);
   CrackPlane plane_of(const Scene& scene, std::int32_t v, const Vec3& normal,
                       StressAhead& stress_ahead);
   /// The factor on strength and toughness that the faces around v have, kept until its star
@@ -105,6 +107,8 @@ class FailureWatch {
   StressAhead stress_ahead_;
   FailureQueue queue_;  // by measure, or its upper bound
   ForeseenFailures foreseen_;
+  std::size_t asked_ = 0;  // nodes that next() has looked at since foresee()
+
   std::vector<Failure> failing_;                      // #V
   std::vector<double> resistance_;                    // #V, −1: not known
   std::vector<Scar> scars_;                           // #V where cracks have healed
