@@ -110,7 +110,8 @@ class Engine:
 
     def _ask(self, request: Request) -> None:
         with self._lock:
-            if self._process is None or self._process.poll() is not None:
+            process = self._process
+            if process is None or process is self._ended or process.poll() is not None:
                 self._start()
             request.process = self._process
             _write(request.process, request.message)
@@ -160,7 +161,8 @@ class Engine:
                 self._ask(request)  # it waited behind one that did not stop
             else:
                 request.end("failed", error)
-        self._requests = {r.number: r for r in self.pending()}
+        with self._lock:  # send() adds one on another thread
+            self._requests = {r.number: r for r in self.pending()}
 
     def cancel(self, request: Request) -> None:
         """Stops a request. A process that has not heard it by then is ended; what waits for its

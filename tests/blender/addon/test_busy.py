@@ -2,19 +2,14 @@
 """What a user reads while the engine is at work, and what a second wish does."""
 
 import bpy
-from test_window import HEAVY, OPEN, names, scene, start, undo_push, until
+from test_window import HEAVY, OPEN, at_work, names, scene, start, undo_push, until
 from window import check, press, view
 
 import craze_blender
 from craze_blender import process, progress
 
-LONGER = HEAVY.replace("0.03", "0.1")
-
-
-def at_work():
-    yield from until(lambda: process.engine().pending())
-    [request] = process.engine().pending()
-    yield from until(lambda: request.progress[2] > 0)
+# A few seconds on that grid: long enough to be seen, and its end is waited for.
+LONGER, LARGE = HEAVY.replace("0.03", "0.1"), 150
 
 
 def idle():
@@ -23,7 +18,7 @@ def idle():
 
 
 def test_the_panel_says_how_far_it_is_until_it_ends():
-    scene(60)
+    scene(LARGE)
     start(recipe=LONGER)
     yield from at_work()
     yield from until(lambda: progress.shown()[0].startswith("craze: crack, "))
@@ -35,7 +30,7 @@ def test_the_panel_says_how_far_it_is_until_it_ends():
 
 
 def test_a_second_press_does_not_crack_twice_and_a_later_one_does():
-    scene(60)
+    scene(LARGE)
     start(recipe=LONGER)
     with bpy.context.temp_override(**view()):
         check(bpy.ops.craze.crack("INVOKE_DEFAULT", recipe=LONGER) == {"CANCELLED"}, "it began")
@@ -75,7 +70,7 @@ def test_what_the_sliders_cannot_do_is_said_until_they_can():
 
 
 def test_edits_in_edit_mode_while_it_cracks_in_place_stay():
-    thing = scene(60)
+    thing = scene(LARGE)
     start(recipe=LONGER, in_place=True)
     yield from at_work()
     with bpy.context.temp_override(**view()):
@@ -87,14 +82,14 @@ def test_edits_in_edit_mode_while_it_cracks_in_place_stay():
         bpy.ops.object.mode_set(mode="OBJECT")
     yield from until(lambda: len(names()) == 2)
     yield 0.3
-    check(len(thing.data.vertices) == 61 * 61, "it is another mesh")
+    check(len(thing.data.vertices) == (LARGE + 1) ** 2, "it is another mesh")
     check(all(abs(v.co.z - 2) < 1e-6 for v in thing.data.vertices), "the edit is lost")
     check(not thing.hide_get(), "it is hidden")
     check(bpy.context.view_layer.objects.active == thing, "another object is active")
 
 
 def test_who_has_gone_on_to_another_object_stays_there():
-    thing = scene(60)
+    thing = scene(LARGE)
     other = bpy.data.objects.new("other", thing.data.copy())
     bpy.context.scene.collection.objects.link(other)
     undo_push()
@@ -117,7 +112,7 @@ def test_who_has_gone_on_to_another_object_stays_there():
 
 def test_another_file_meanwhile_ends_it():
     for in_place in (False, True):
-        scene(60)
+        scene(LARGE)
         start(recipe=LONGER, in_place=in_place)
         yield from at_work()
         with bpy.context.temp_override(**view()):
@@ -130,7 +125,7 @@ def test_another_file_meanwhile_ends_it():
 
 
 def test_an_addon_that_is_disabled_meanwhile_leaves_nothing_and_comes_back():
-    scene(60)
+    scene(LARGE)
     start(recipe=LONGER)
     yield from at_work()
     craze_blender.unregister()
