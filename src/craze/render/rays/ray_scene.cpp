@@ -25,8 +25,11 @@ using Mask = std::array<int, RayScene::lanes>;
 
 template <class Packet>
 void load(const RayScene::Rays& rays, Packet& packet, Mask& valid) {
+  const Ray none{Vec3f::Zero(), Vec3f::UnitZ()};
   for (int i = 0; i < RayScene::lanes; ++i) {
-    const Ray& ray = rays[i];
+    // Without AVX-512 Embree reads lanes that are not active, too, and Debian's stops where they
+    // hold no ray.
+    const Ray& ray = rays[i].active ? rays[i] : none;
     valid[i] = ray.active ? -1 : 0;
     packet.org_x[i] = ray.origin.x();
     packet.org_y[i] = ray.origin.y();
@@ -47,8 +50,8 @@ void load(const RayScene::Rays& rays, Packet& packet, Mask& valid) {
 
 RayScene::RayScene(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles)
     : handles_(std::make_unique<Handles>()) {
-  // By the widest instruction set there is: Debian's Embree stops at an assertion of its own where
-  // a narrower one is asked for. So rays along an edge may meet another face on another machine.
+  // By the widest instruction set there is. So rays along an edge may meet another face on another
+  // machine.
   handles_->device = rtcNewDevice(nullptr);
   if (!handles_->device) throw std::bad_alloc();
   handles_->scene = rtcNewScene(handles_->device);
