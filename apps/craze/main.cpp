@@ -101,7 +101,7 @@ int run_command(int argc, char** argv, MessageStyle style) {
 }
 
 /// Arrays of four megabytes or more go back to the system when they are freed. The C library would
-/// come to keep those of up to 32, a sixth of what a large run takes.
+/// come to keep those of up to 32.
 void give_back_large_arrays() {
 #ifdef __GLIBC__
   constexpr int megabyte = 1 << 20;

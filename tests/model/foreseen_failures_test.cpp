@@ -24,7 +24,7 @@ TEST(ForeseenFailures, HoldWhereACrackHasNoInfluence) {
   const std::int32_t beside = place(0.45 * size, 0.2 * size), far = place(0.8 * size, 0.8 * size);
   ForeseenFailures foreseen;
   EXPECT_EQ(foreseen.find(far), nullptr);
-  foreseen.begin(mesh, {far, beside, tip});
+  foreseen.begin({far, beside, tip});
   foreseen.all()[0].failure.measure = 1;
   EXPECT_NE(foreseen.find(far), nullptr);
   EXPECT_EQ(foreseen.find(far)->node, far);

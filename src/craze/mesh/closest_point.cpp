@@ -10,6 +10,10 @@ namespace {
 
 constexpr std::int32_t leaf_size = 4;
 
+double squared_distance(const Eigen::AlignedBox3d& box, const Vec3& p) {
+  return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0.0).squaredNorm();
+}
+
 }  // namespace
 
 Vec3 nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -64,8 +68,7 @@ void ClosestPoint::build() {
     centres.push_back({(positions_[t[0]] + positions_[t[1]] + positions_[t[2]]) / 3,
                        static_cast<std::int32_t>(centres.size())});
   }
-  nodes_.push_back({});
-  nodes_[0].count = static_cast<std::int32_t>(centres.size());
+  nodes_.push_back({0, static_cast<std::int32_t>(centres.size())});
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const std::int32_t first = nodes_[n].first, count = nodes_[n].count;
     const auto begin = centres.begin() + first, end = begin + count;
@@ -74,13 +77,10 @@ void ClosestPoint::build() {
       std::sort(begin, end, [](const Centre& f, const Centre& g) { return f.face < g.face; });
       continue;
     }
-    Vec3 low = begin->at, high = low;
-    for (auto centre = begin; centre != end; ++centre) {
-      low = low.cwiseMin(centre->at);
-      high = high.cwiseMax(centre->at);
-    }
-    int axis = 0;
-    (high - low).maxCoeff(&axis);
+    Eigen::AlignedBox3d around;
+    for (auto centre = begin; centre != end; ++centre) around.extend(centre->at);
+    Eigen::Index axis = 0;
+    around.sizes().maxCoeff(&axis);
     const std::int32_t half = count / 2;
     std::nth_element(begin, begin + half, end, [&](const Centre& f, const Centre& g) {
       const double x = f.at[axis], y = g.at[axis];
@@ -88,12 +88,8 @@ void ClosestPoint::build() {
     });
     nodes_[n].first = static_cast<std::int32_t>(nodes_.size());
     nodes_[n].count = 0;
-    nodes_.push_back({});
-    nodes_.back().first = first;
-    nodes_.back().count = half;
-    nodes_.push_back({});
-    nodes_.back().first = first + half;
-    nodes_.back().count = count - half;
+    nodes_.push_back({first, half});
+    nodes_.push_back({first + half, count - half});
   }
   order_.reserve(centres.size());
   for (const Centre& centre : centres) order_.push_back(centre.face);
@@ -120,8 +116,8 @@ void ClosestPoint::fit() {
 /// Whether any normal in the node's box has the filter's cosine.
 bool ClosestPoint::may_accept(const Node& node, const Filter& filter) {
   constexpr double roundings = 1e-12;
-  const Vec3 most = (node.normals.low.cwiseProduct(filter.normal))
-                        .cwiseMax(node.normals.high.cwiseProduct(filter.normal));
+  const Vec3 most = (node.normals.min().cwiseProduct(filter.normal))
+                        .cwiseMax(node.normals.max().cwiseProduct(filter.normal));
   return most.sum() >= filter.least - roundings;
 }
 
@@ -145,7 +141,7 @@ ClosestPoint::Hit ClosestPoint::find(const Vec3& point, const Filter& filter) co
   };
   std::array<Entry, 128> stack;  // two entries per level of a balanced tree of at most 2³¹ faces
   std::size_t top = 0;
-  stack[top++] = {0, nodes_[0].box.squared_distance(point)};
+  stack[top++] = {0, squared_distance(nodes_[0].box, point)};
   const double enough = filter.enough * filter.enough;
   while (top > 0 && best.distance > enough) {
     const Entry e = stack[--top];
@@ -157,8 +153,8 @@ ClosestPoint::Hit ClosestPoint::find(const Vec3& point, const Filter& filter) co
     }
     if (node.count > 0) continue;
     Entry near{node.first, 0}, far{node.first + 1, 0};
-    near.distance = nodes_[near.node].box.squared_distance(point);
-    far.distance = nodes_[far.node].box.squared_distance(point);
+    near.distance = squared_distance(nodes_[near.node].box, point);
+    far.distance = squared_distance(nodes_[far.node].box, point);
     if (far.distance < near.distance) std::swap(near, far);
     stack[top++] = far;
     stack[top++] = near;

@@ -1,6 +1,7 @@
 // The nearest point of a surface, by a tree of boxes.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -47,27 +48,9 @@ class ClosestPoint {
   void improve(Hit& best, std::int32_t f, const Vec3& point) const;
 
  private:
-  struct Box {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-
-    void extend(const Vec3& p) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    void extend(const Box& other) {
-      low = low.cwiseMin(other.low);
-      high = high.cwiseMax(other.high);
-    }
-    double squared_distance(const Vec3& p) const {
-      return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
-    }
-  };
-
   struct Node {
-    Box box;
-    Box normals;  // around its faces' normals
-    // A leaf's faces in order_; count 0: children at first, first + 1.
-    std::int32_t first = 0, count = 0;
+    std::int32_t first, count;  // a leaf's faces in order_; count 0: children at first, first + 1
+    Eigen::AlignedBox3d box{}, normals{};  // around its faces and their normals
   };
 
   void build();

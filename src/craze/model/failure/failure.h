@@ -10,7 +10,8 @@ namespace craze {
 /// How a node would fail.
 struct Failure {
   double measure = 0;    ///< v⁺ at load 1 over the threshold; 0: cannot fail
-  double threshold = 0;  ///< force; of a bound over the factor on ς, so that it is one of F
+  double threshold = 0;  ///< force
+  double weight = 1;     ///< factor on ς there, curvature's
   Vec3 normal = Vec3::Zero();
   std::int32_t shield = -1;  ///< the tip whose process zone alone keeps it from failing
   bool exact = false;        ///< else measure is an upper bound

@@ -69,7 +69,7 @@ void FailureWatch::foresee(const Scene& scene, double least_measure, const Threa
   // A step opens so many cracks and no more, however many nodes of a large mesh may crack.
   const std::size_t few = 16, most = asked_ + asked_ / 4 + few;
   asked_ = 0;
-  foreseen_.begin(scene.mesh, queue_.first(least_measure, most));
+  foreseen_.begin(queue_.first(least_measure, most));
   std::vector<ForeseenFailure>& all = foreseen_.all();
   parallel_for(threads, all.size(), 4, [&](std::size_t begin, std::size_t end) {
     StressAhead stress_ahead;
@@ -120,9 +120,10 @@ void FailureWatch::enter(const Scene& scene, std::int32_t v) {
     unwatched = unwatched_part * std::max(0.0, room);
   }
   // v⁺ changes by no more than the forces do, times the factor on ς.
-  const double granted = scene.relaxation.allow_drift(v, unwatched * failure.threshold);
+  const double force_per_measure = failure.threshold / std::max(least_scale, failure.weight);
+  const double granted = scene.relaxation.allow_drift(v, unwatched * force_per_measure);
   double key = failure.measure;
-  if (!failure.exact && failure.threshold > 0) key += granted / failure.threshold;
+  if (!failure.exact && force_per_measure > 0) key += granted / force_per_measure;
   queue_.set(v, key * highest > 1 ? key : 0);
 }
 
@@ -144,10 +145,11 @@ Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) {
   if (residual != residuals_.end() && load > 0) {
     Sym3 driven = tensor;
     driven += (1 / load) * residual->second;
-    failure = failure_of(scene, v, driven, scale, weight, true);
+    failure = failure_of(scene, v, driven, scale, true);
     if (!(failure.measure * load > 1)) failure = {};
   }
-  if (failure.measure == 0) failure = failure_of(scene, v, tensor, scale, weight, exact);
+  if (failure.measure == 0) failure = failure_of(scene, v, tensor, scale, exact);
+  failure.weight *= weight;
   const auto arrested = arrested_.find(v);
   if (arrested != arrested_.end() &&
       std::abs(arrested->second.dot(failure.normal)) > arrest_cosine) {
@@ -158,7 +160,7 @@ Failure FailureWatch::evaluate(const Scene& scene, std::int32_t v, bool exact) {
 }
 
 Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3& separation,
-                                 double scale, double weight, bool exact) {
+                                 double scale, bool exact) {
   Failure failure;
   Eigenpair pair;
   if (scene.fields.healed.empty()) {
@@ -167,16 +169,13 @@ Failure FailureWatch::failure_of(const Scene& scene, std::int32_t v, const Sym3&
     const WeakPlane weak = scene.fields.healed.weakest_plane(weakness(scene, v), separation);
     pair = weak.plane;
     scale *= weak.strength;
-    weight *= weak.sensitivity;
+    failure.weight = weak.sensitivity;
   }
   failure.normal = pair.vector;
   failure.threshold = criterion_.least_threshold(scene.mesh, v, pair.vector, scale);
   if (!(failure.threshold > 0)) return failure;
   failure.measure = std::max(0.0, pair.value) / failure.threshold;
-  if (!exact) {
-    failure.threshold /= std::max(least_scale, weight);
-    return failure;
-  }
+  if (!exact) return failure;
   failure.exact = true;
   if (!(pair.value > 0)) return failure;
   failure.threshold = criterion_.threshold(scene.mesh, scene.field, v, pair, scale,

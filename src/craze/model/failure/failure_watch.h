@@ -86,9 +86,8 @@ class FailureWatch {
 
   Sym3 biased(const Scene& scene, std::int32_t v, const Sym3& separation) const;
   Failure evaluate(const Scene& scene, std::int32_t v, bool exact);
-  /// `scale` is the factor on strength and toughness there, `weight` that on ς.
   Failure failure_of(const Scene& scene, std::int32_t v, const Sym3& separation, double scale,
-                     double weight, bool exact);
+                     bool exact);
   CrackPlane plane_of(const Scene& scene, std::int32_t v, const Vec3& normal,
                       StressAhead& stress_ahead);
   /// The factor on strength and toughness that the faces around v have, kept until its star

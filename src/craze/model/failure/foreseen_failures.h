@@ -22,7 +22,7 @@ struct ForeseenFailure {
 class ForeseenFailures {
  public:
   /// Begins anew with these nodes, about which nothing is known as yet.
-  void begin(const TriangleMesh& mesh, std::vector<std::int32_t> nodes);
+  void begin(std::vector<std::int32_t> nodes);
   void clear() { failures_.clear(); }
 
   /// One for each node, ascending.
@@ -30,18 +30,12 @@ class ForeseenFailures {
   /// What still holds of v; null where nothing does.
   const ForeseenFailure* find(std::int32_t v) const;
   /// A crack has opened at v and changed these nodes: what lies within `influence` (length) of any
-  /// of them, or could, holds no longer. Asks those alone that are as near along the x axis, which
-  /// nodes leave by no more than an edge when they slide, and `influence` is more than that.
+  /// of them, or could, holds no longer. O(failures + changed).
   void opened(const TriangleMesh& mesh, std::int32_t v, const std::vector<std::int32_t>& changed,
               double influence);
 
  private:
-  struct Place {
-    double x;
-    std::int32_t failure;  // its index
-  };
   std::vector<ForeseenFailure> failures_;
-  std::vector<Place> places_;  // by x, when they were foreseen
 };
 
 }  // namespace craze
