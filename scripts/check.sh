@@ -5,6 +5,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 export LC_ALL=C.UTF-8 CTEST_OUTPUT_ON_FAILURE=1
+export CCACHE_BASEDIR=$PWD  # what two build folders compile alike is compiled once
 fuzz_seconds=${CRAZE_FUZZ_SECONDS:-10}  # per target
 
 all=(packages format release example long debs core narrow clang wasm libcxx asan fuzz tsan tidy)

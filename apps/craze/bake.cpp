@@ -14,7 +14,7 @@ namespace craze::app {
 
 namespace {
 
-struct Options {
+struct BakeArguments {
   std::string input;
   MapsRequest maps;
   std::string gap, wall;
@@ -23,7 +23,7 @@ struct Options {
 };
 
 /// --gap and --wall, then --set in order.
-Recipe build_recipe(const Options& options) {
+Recipe build_recipe(const BakeArguments& options) {
   Recipe recipe;
   if (!options.gap.empty()) apply_bake_set(recipe, "post.gap=" + options.gap);
   if (!options.wall.empty()) apply_bake_set(recipe, "post.wall=" + options.wall);
@@ -31,7 +31,7 @@ Recipe build_recipe(const Options& options) {
   return recipe;
 }
 
-int bake(Options& options) {
+int bake(BakeArguments& options) {
   const Recipe recipe = build_recipe(options);
   check_output_folder("the maps", options.maps.folder);
   const Run run(options.run);
@@ -47,7 +47,7 @@ int bake(Options& options) {
 }  // namespace
 
 void add_bake(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BakeArguments>();
   CLI::App* verb = app.add_subcommand("bake", "Bake maps of a cracked mesh");
   verb->add_option("CRACKED", options->input,
                    "A mesh that craze crack wrote, with UVs and its cracks shut (post.gap=0)")

@@ -14,7 +14,7 @@ namespace craze::app {
 
 namespace {
 
-struct Options {
+struct CrackArguments {
   RunRequest request;
   std::string preset, recipe, seed;
   PictureChoice choice;
@@ -27,7 +27,7 @@ constexpr const char* standard_preset = "glaze";
 
 /// The preset or recipe file, else the defaults where keys are set by hand, else the standard
 /// preset; then --set in order, then --seed.
-Recipe build_recipe(Options& options) {
+Recipe build_recipe(CrackArguments& options) {
   Recipe recipe;
   if (!options.preset.empty()) {
     recipe = read_preset(options.preset);
@@ -47,7 +47,7 @@ Recipe build_recipe(Options& options) {
   return recipe;
 }
 
-int crack(Options& options) {
+int crack(CrackArguments& options) {
   options.request.recipe = build_recipe(options);
   options.request.shot = options.choice.picture;
   options.request.line_width = options.choice.line_width;
@@ -62,7 +62,7 @@ int crack(Options& options) {
 }
 
 /// Which options do nothing without which.
-std::vector<OptionNeed> needs_of(const CLI::App& verb, const Options& options) {
+std::vector<OptionNeed> needs_of(const CLI::App& verb, const CrackArguments& options) {
   const RunRequest& request = options.request;
   const auto maps = [&request] { return !request.maps.folder.empty(); };
   const auto mapped = [&request] { return request.as_maps; };
@@ -155,7 +155,7 @@ void add_growth(CLI::App& verb, RunRequest& request) {
 }  // namespace
 
 void add_crack(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CrackArguments>();
   CLI::App* verb = app.add_subcommand("crack", "Grow cracks on a mesh");
   verb->add_option("INPUT", options->request.input,
                    "A mesh (.obj .ply .stl .off .gltf .glb), or shape:NAME?key=value&...")

@@ -21,7 +21,7 @@ namespace craze::app {
 
 namespace {
 
-struct Options {
+struct DatasetArguments {
   std::string plan, folder, shard = "0/1", sample, output;
   std::uint64_t samples = 0;  ///< 0: as the plan says
   bool keys = false;
@@ -29,7 +29,7 @@ struct Options {
   RunOptions run;
 };
 
-int make(const Options& options) {
+int make(const DatasetArguments& options) {
   if (options.keys) return print(plan_reference(dataset_schema()));
   const Shard shard = parse_shard(options.shard);
   PlanSource source = read_plan_for(options.output, options.plan, "dataset");
@@ -45,7 +45,7 @@ int make(const Options& options) {
                             : fmt::format("{} are left to others", made.shards_left)));
 }
 
-int verify(const Options& options) {
+int verify(const DatasetArguments& options) {
   const Run run(options.run);
   const std::vector<std::string> faults = verify_dataset(options.folder, run.context());
   std::string text;
@@ -58,7 +58,7 @@ int verify(const Options& options) {
   return faults.empty() ? code : failed;
 }
 
-int remake(const Options& options) {
+int remake(const DatasetArguments& options) {
   const Run run(options.run);
   const RemadeSample remade = remake_sample(options.folder, options.sample, run.context());
   if (!options.output.empty()) {
@@ -80,7 +80,7 @@ int remake(const Options& options) {
   return remade.differing.empty() ? code : failed;
 }
 
-int look(const Options& options) {
+int look(const DatasetArguments& options) {
   if (!options.output.empty()) check_picture_path(options.output);
   const Run run(options.run);
   const std::string path = options.output.empty()
@@ -92,13 +92,15 @@ int look(const Options& options) {
 }
 
 /// A verb of `dataset` that works on the folder of a set.
-CLI::App* add_verb(CLI::App& dataset, const char* name, const char* text, Options& options) {
+CLI::App* add_verb(CLI::App& dataset, const char* name, const char* text,
+                   DatasetArguments& options) {
   CLI::App* verb = dataset.add_subcommand(name, text);
   verb->add_option("DIR", options.folder, "The folder of a set")->required()->type_name("");
   return verb;
 }
 
-void add_verbs(CLI::App& dataset, const std::shared_ptr<Options>& options, Action& action) {
+void add_verbs(CLI::App& dataset, const std::shared_ptr<DatasetArguments>& options,
+               Action& action) {
   CLI::App* verb = add_verb(dataset, "verify", "Check every byte of a set", *options);
   add_run_options(*verb, options->run, "Only what is wrong");
   verb->callback([options, &action] { action = [options] { return verify(*options); }; });
@@ -132,7 +134,7 @@ void add_verbs(CLI::App& dataset, const std::shared_ptr<Options>& options, Actio
 }  // namespace
 
 void add_dataset(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DatasetArguments>();
   CLI::App* verb = app.add_subcommand("dataset", "Make pictures of cracks with exact labels");
   verb->require_subcommand(0, 1);
   CLI::Option* plan = verb->add_option("PLAN", options->plan, "A plan, TOML: docs/datasets.md");

@@ -16,13 +16,13 @@ namespace craze::app {
 
 namespace {
 
-struct Options {
+struct FiguresArguments {
   FigureRequest request;
   std::vector<std::string> names;
   RunOptions run;
 };
 
-int make_figures(const Options& options) {
+int make_figures(const FiguresArguments& options) {
   std::vector<const Figure*> wanted;
   for (const std::string& name : options.names) wanted.push_back(&find_figure(name));
   if (wanted.empty()) {
@@ -55,7 +55,7 @@ std::string figure_list() {
 }  // namespace
 
 void add_figures(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FiguresArguments>();
   CLI::App* verb = app.add_subcommand("figures", "Make the figures of the paper");
   verb->add_option("NAME", options->names, "Names or numbers; all where none is given")
       ->type_name("");

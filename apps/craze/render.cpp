@@ -18,13 +18,13 @@ namespace craze::app {
 
 namespace {
 
-struct Options {
+struct RenderArguments {
   std::string input, output;
   PictureChoice choice;
   RunOptions run;
 };
 
-int render_mesh(Options& options) {
+int render_mesh(RenderArguments& options) {
   const std::map<std::string, UpAxis> axes{{"", UpAxis::automatic},
                                            {"auto", UpAxis::automatic},
                                            {"x", UpAxis::x},
@@ -56,7 +56,7 @@ int render_mesh(Options& options) {
 }  // namespace
 
 void add_render(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderArguments>();
   CLI::App* verb = app.add_subcommand("render", "Take a picture of a mesh and its cracks");
   verb->add_option("MESH", options->input, "A mesh file, or shape:NAME?key=value&...")
       ->required()

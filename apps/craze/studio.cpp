@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 // Always the same, since browsers keep what was done there by address.
 constexpr int usual_port = 8173;
 
-struct Options {
+struct StudioArguments {
   int port = usual_port;
   bool no_browser = false;
 };
@@ -33,7 +33,7 @@ fs::path server() {
 }
 
 /// Goes on as that program, and returns only where it cannot.
-int studio(const Options& options) {
+int studio(const StudioArguments& options) {
   const std::string program = server().string(), port = std::to_string(options.port);
   execl(program.c_str(), program.c_str(), "--port", port.c_str(),
         options.no_browser ? "--no-browser" : nullptr, nullptr);
@@ -43,7 +43,7 @@ int studio(const Options& options) {
 }  // namespace
 
 void add_studio(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StudioArguments>();
   CLI::App* verb = app.add_subcommand("studio", "Crack and paint in the browser");
   verb->add_option("--port", options->port, "Port to serve the page at; 0: any that is free")
       ->type_name("N")

@@ -14,13 +14,13 @@ namespace craze::app {
 
 namespace {
 
-struct Options {
+struct SweepArguments {
   std::string plan, folder, shard = "0/1";
   bool keys = false;
   RunOptions run;
 };
 
-int sweep(const Options& options) {
+int sweep(const SweepArguments& options) {
   if (options.keys) return print(plan_reference(sweep_schema()));
   const Shard shard = parse_shard(options.shard);
   const PlanSource source = read_plan_for(options.folder, options.plan, "sweep");
@@ -39,7 +39,7 @@ int sweep(const Options& options) {
 }  // namespace
 
 void add_sweep(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SweepArguments>();
   CLI::App* verb = app.add_subcommand("sweep", "Run grids and random designs, as one table");
   CLI::Option* plan = verb->add_option("PLAN", options->plan, "A plan, TOML: docs/sweeps.md");
   plan->type_name("");

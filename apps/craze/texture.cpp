@@ -14,14 +14,14 @@ namespace craze::app {
 
 namespace {
 
-struct Options {
+struct TextureArguments {
   TextureRequest request;
   std::string preset, period = "1", seed;
   std::vector<std::string> settings;
   RunOptions run;
 };
 
-int texture(Options& options) {
+int texture(TextureArguments& options) {
   TextureRequest& request = options.request;
   request.recipe = read_preset(options.preset);
   for (const std::string& setting : options.settings) apply_set(request.recipe, setting);
@@ -36,7 +36,7 @@ int texture(Options& options) {
 }  // namespace
 
 void add_texture(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TextureArguments>();
   CLI::App* verb = app.add_subcommand("texture", "Make a tileable set of textures");
   verb->add_option("PRESET", options->preset, "A preset (craze presets)")
       ->required()

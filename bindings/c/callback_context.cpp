@@ -2,12 +2,6 @@
 
 namespace craze::c {
 
-namespace {
-
-constexpr auto interval = std::chrono::milliseconds(50);
-
-}  // namespace
-
 CallbackContext::CallbackContext(craze_progress progress, void* user, int threads)
     : progress_(progress), user_(user) {
   context_.threads = Threads(threads);
@@ -18,10 +12,10 @@ CallbackContext::CallbackContext(craze_progress progress, void* user, int thread
     if (new_phase) phase_ = reached.phase;
     last_ = reached;
     untold_ = true;
-    if (new_phase || reached.fraction >= 1 || Clock::now() - asked_ >= interval) ask();
+    if (new_phase || reached.fraction >= 1 || Clock::now() - asked_ >= callback_interval) ask();
   };
   context_.cancelled = [this] {
-    if (stopped_ || Clock::now() - asked_ < interval) return stopped_;
+    if (stopped_ || Clock::now() - asked_ < callback_interval) return stopped_;
     return ask();
   };
 }

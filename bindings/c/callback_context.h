@@ -10,6 +10,9 @@
 
 namespace craze::c {
 
+/// Between two calls of a callback.
+inline constexpr auto callback_interval = std::chrono::milliseconds(50);
+
 /// Asks the callback about twenty times a second, and at the start and the end of each phase; once
 /// it has asked to stop, everything stops. Must outlive the call that its context is handed to.
 class CallbackContext {

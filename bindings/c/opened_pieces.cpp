@@ -1,12 +1,8 @@
 #include "opened_pieces.h"
 
+#include "callback_context.h"
+
 namespace craze::c {
-
-namespace {
-
-constexpr auto interval = std::chrono::milliseconds(50);
-
-}  // namespace
 
 void OpenedPieces::add(const OpenedPiece& piece) {
   if (piece.number == 0) {
@@ -15,7 +11,7 @@ void OpenedPieces::add(const OpenedPiece& piece) {
   }
   waiting_.insert(waiting_.end(), piece.from.data(), piece.from.data() + 3);
   waiting_.insert(waiting_.end(), piece.to.data(), piece.to.data() + 3);
-  if (std::chrono::steady_clock::now() - last_ >= interval) tell();
+  if (std::chrono::steady_clock::now() - last_ >= callback_interval) tell();
 }
 
 void OpenedPieces::tell() {

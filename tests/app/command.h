@@ -25,6 +25,13 @@ inline std::string read_text(const std::filesystem::path& path) {
   return text.str();
 }
 
+using Arguments = std::vector<std::string>;
+
+inline Arguments operator+(Arguments arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 struct CommandResult {
   int code = -1;  ///< exit status
   std::string out, err;

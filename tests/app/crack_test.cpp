@@ -10,8 +10,6 @@
 namespace craze {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 // A small plate that cracks within a fraction of a second.
 const Arguments small_run{
     "crack", "shape:plate?n=16&jitter=0.3", "--set", "material.toughness=0.06",

@@ -8,8 +8,6 @@
 namespace craze {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 class CrackedFiles : public CommandTest {
  protected:
   /// Cracks `input` into file after file and expects the numbers of the run's report in each.

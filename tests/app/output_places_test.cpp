@@ -6,8 +6,6 @@ namespace craze {
 namespace {
 
 namespace fs = std::filesystem;
-using Arguments = std::vector<std::string>;
-
 class OutputPlaces : public CommandTest {
  protected:
   OutputPlaces() : path_(std::getenv("PATH")) {}

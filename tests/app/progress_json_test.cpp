@@ -7,8 +7,6 @@
 namespace craze {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 class ProgressJson : public CommandTest {
  protected:
   static std::vector<nlohmann::json> lines(const std::string& text) {
@@ -29,11 +27,6 @@ class ProgressJson : public CommandTest {
   const Arguments cracking{"crack", "shape:plate?n=30&jitter=0.3", "--preset",   "mud",
                            "--set", "layer.relative_spacing=0.1",  "--progress", "json"};
 };
-
-Arguments operator+(Arguments arguments, const Arguments& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
 
 TEST_F(ProgressJson, IsOneObjectALineWithEveryPhase) {
   const CommandResult result =

@@ -12,7 +12,6 @@ namespace craze {
 namespace {
 
 namespace fs = std::filesystem;
-using Arguments = std::vector<std::string>;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds nap{10};
@@ -101,11 +100,6 @@ class Stopping : public CommandTest {
   const std::string path_;
   std::chrono::milliseconds rest_{100};  // in the phase, before the signal
 };
-
-Arguments operator+(Arguments arguments, const Arguments& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
 
 TEST_F(Stopping, WhileAMillionTrianglesAreRepaired) {
   expect_stops({"crack", "shape:plate?n=700", "-o", "a.ply", "--report", "r.json"}, "repair");

@@ -15,8 +15,6 @@ namespace craze {
 namespace {
 
 namespace fs = std::filesystem;
-using Arguments = std::vector<std::string>;
-
 class Terminal : public CommandTest {
  protected:
   /// What the command writes to a terminal as its standard error.

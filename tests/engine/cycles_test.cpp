@@ -19,7 +19,7 @@
 namespace craze {
 namespace {
 
-SimulationSurface plate() {
+SimulationSurface layered_plate() {
   return {make_shape("plate?n=40&jitter=0.3")};
 }
 
@@ -36,8 +36,8 @@ double t_fraction(const LastCycle& last) {
 }
 
 TEST(Cycles, TurnJunctionsAwayFromT) {
-  const double first = t_fraction(run_cycles(plate(), mud(1), {}, {}));
-  const double fifth = t_fraction(run_cycles(plate(), mud(5), {}, {}));
+  const double first = t_fraction(run_cycles(layered_plate(), mud(1), {}, {}));
+  const double fifth = t_fraction(run_cycles(layered_plate(), mud(5), {}, {}));
   EXPECT_GT(first, 0.8);
   EXPECT_LT(fifth, first - 0.15);
 }
@@ -47,8 +47,8 @@ TEST(Cycles, TurnJunctionsAwayFromTOnTheMeanOfFourPlates) {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     SimulationParameters once = mud(1), often = mud(5);
     once.seed = often.seed = seed;
-    first += t_fraction(run_cycles(plate(), once, {}, {})) / 4;
-    fifth += t_fraction(run_cycles(plate(), often, {}, {})) / 4;
+    first += t_fraction(run_cycles(layered_plate(), once, {}, {})) / 4;
+    fifth += t_fraction(run_cycles(layered_plate(), often, {}, {})) / 4;
   }
   EXPECT_LT(fifth, first - 0.15);
 }
@@ -57,8 +57,8 @@ TEST(Cycles, GiveTheSameCracksOnAnyNumberOfThreads) {
   Context one, three;
   one.threads = 1;
   three.threads = 3;
-  const CrackNetwork a = crack_network(*run_cycles(plate(), mud(2), {}, one).simulation);
-  const CrackNetwork b = crack_network(*run_cycles(plate(), mud(2), {}, three).simulation);
+  const CrackNetwork a = crack_network(*run_cycles(layered_plate(), mud(2), {}, one).simulation);
+  const CrackNetwork b = crack_network(*run_cycles(layered_plate(), mud(2), {}, three).simulation);
   ASSERT_EQ(a.nodes.size(), b.nodes.size());
   ASSERT_EQ(a.edges.size(), b.edges.size());
   for (std::size_t i = 0; i < a.nodes.size(); ++i) {
@@ -71,7 +71,7 @@ TEST(Cycles, TellHowFarTheyAreAndStopWhenCancelled) {
   Context context;
   context.progress = [&](const Progress& p) { furthest = std::max(furthest, p.fraction); };
   context.cancelled = [&] { return furthest > 0.3; };
-  const LastCycle last = run_cycles(plate(), mud(3), {}, context);
+  const LastCycle last = run_cycles(layered_plate(), mud(3), {}, context);
   EXPECT_EQ(last.reason, StopReason::cancelled);
   EXPECT_DOUBLE_EQ(furthest, 1.0 / 3);
 }
@@ -87,7 +87,7 @@ TEST(Cycles, CrackCoarserMeshesFirstAndTheSurfaceItselfLast) {
   context.progress = [&](const Progress& p) {
     if (p.phase == "prepare") faces.push_back(static_cast<double>(p.triangles));
   };
-  const LastCycle last = run_cycles(plate(), mud(9), {}, context, {}, coarse);
+  const LastCycle last = run_cycles(layered_plate(), mud(9), {}, context, {}, coarse);
   EXPECT_EQ(last.coarser, 0U);
   EXPECT_EQ(last.simulation->mesh().source_face(0), 0);
   const std::vector<double> wanted = {800, 1352, 1352, 1352, 1352, 1352, 3200, 3200, 3200};
@@ -100,7 +100,7 @@ TEST(Cycles, StoppedEarlySayWhatTheyCracked) {
   Context context;
   context.progress = [&](const Progress& p) { furthest = std::max(furthest, p.fraction); };
   context.cancelled = [&] { return furthest > 0; };
-  const LastCycle last = run_cycles(plate(), mud(6), {}, context, {}, coarse);
+  const LastCycle last = run_cycles(layered_plate(), mud(6), {}, context, {}, coarse);
   EXPECT_EQ(last.reason, StopReason::cancelled);
   EXPECT_EQ(last.coarser, 1U);
   EXPECT_EQ(coarseness(last, mud(6)), 1.5);
@@ -135,7 +135,7 @@ TEST(Cycles, StoppedEarlyLeaveAWholeSurfaceOfEitherKind) {
 TEST(Cycles, NeedALayerThatSticks) {
   SimulationParameters p = mud(2);
   p.layer = {};
-  EXPECT_THROW(run_cycles(plate(), p, {}, {}), Error);
+  EXPECT_THROW(run_cycles(layered_plate(), p, {}, {}), Error);
 }
 
 }  // namespace

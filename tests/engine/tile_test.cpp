@@ -74,7 +74,7 @@ TEST(Tile, IsRefusedInOneLineWhereItHasNotWhatTheRecipeAsksFor) {
 }
 
 /// Length of cracks and junctions of three in a square of the plane.
-struct Pattern {
+struct TilePattern {
   double length = 0, junctions = 0;
 };
 
@@ -94,8 +94,8 @@ double length_inside(const Vec3& a, const Vec3& b, double low) {
   return to > from ? (to - from) * (b - a).norm() : 0;
 }
 
-Pattern inside(const CrackNetwork& network, double low) {
-  Pattern p;
+TilePattern inside(const CrackNetwork& network, double low) {
+  TilePattern p;
   for (const CrackEdge& e : network.edges) {
     p.length += length_inside(network.nodes[e.a].position, network.nodes[e.b].position, low);
   }
@@ -107,8 +107,8 @@ Pattern inside(const CrackNetwork& network, double low) {
   return p;
 }
 
-Pattern of_tile(const CrackNetwork& network) {
-  Pattern p;
+TilePattern of_tile(const CrackNetwork& network) {
+  TilePattern p;
   p.length = total_length(network);
   for (const CrackNode& n : network.nodes) p.junctions += n.kind == JunctionKind::junction;
   return p;
@@ -130,7 +130,7 @@ Mean mean(const std::vector<double>& x) {
 TEST(Tile, HasTheStatisticsOfTheInteriorOfALargePlate) {
   std::vector<double> tile_length, tile_junctions, plate_length, plate_junctions;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const Pattern t = of_tile(mud_tile(0.125, seed).network);
+    const TilePattern t = of_tile(mud_tile(0.125, seed).network);
     tile_length.push_back(t.length);
     tile_junctions.push_back(t.junctions);
     // 1.75 wide, so that the unit square in its middle is three pieces from the border.
@@ -142,7 +142,7 @@ TEST(Tile, HasTheStatisticsOfTheInteriorOfALargePlate) {
     Recipe recipe = mud_for_tiles(0.125, seed);
     recipe.mesh.output = OutputMesh::simulation;
     const Result result = crack(std::move(input), recipe, {}, {});
-    const Pattern p = inside(result.state().network, -0.5);
+    const TilePattern p = inside(result.state().network, -0.5);
     plate_length.push_back(p.length);
     plate_junctions.push_back(p.junctions);
   }

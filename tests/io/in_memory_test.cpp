@@ -16,7 +16,7 @@
 namespace craze {
 namespace {
 
-const std::string triangle_obj = "v 0 0 0\nv 2 0 0\nv 2 2 0\nf 1 2 3\n";
+const std::string obj_of_a_triangle = "v 0 0 0\nv 2 0 0\nv 2 2 0\nf 1 2 3\n";
 
 TEST(InMemory, EveryFormatThatIsWrittenAndReadIsReadWhateverItsName) {
   for (const MeshFormat& format : mesh_formats()) {
@@ -52,7 +52,7 @@ std::string utf16(const std::string& text, bool big) {
 
 TEST(TextEncoding, MarksOfUtf8AndUtf16ChangeNothing) {
   const std::vector<std::pair<std::string, std::string>> texts = {
-      {"a.obj", triangle_obj},
+      {"a.obj", obj_of_a_triangle},
       {"a.off", "OFF\n3 1 0\n0 0 0\n2 0 0\n2 2 0\n3 0 1 2\n"},
       {"a.ply",
        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -76,7 +76,7 @@ TEST(TextEncoding, MarksOfUtf8AndUtf16ChangeNothing) {
 
 TEST(TextEncoding, NamesInUtf16BecomeUtf8) {
   const std::string bytes = utf16("usemtl ", false) + std::string("\xac\x20", 2) +
-                            utf16("\n" + triangle_obj, false).substr(2);
+                            utf16("\n" + obj_of_a_triangle, false).substr(2);
   EXPECT_EQ(read_mesh(bytes, "a.obj").mesh.material_names,
             (std::vector<std::string>{"\xe2\x82\xac"}));
 }

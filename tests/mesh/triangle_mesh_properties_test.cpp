@@ -15,7 +15,7 @@
 namespace craze {
 namespace {
 
-TriangleMesh mesh_of(const std::string& shape) {
+TriangleMesh triangle_mesh_of(const std::string& shape) {
   SurfaceMesh s = make_shape(shape);
   return {s.positions, s.triangles};
 }
@@ -100,7 +100,7 @@ void cut_and_check(TriangleMesh& mesh, std::int32_t h, std::int32_t label) {
 // A run of random edits on one shape. Cuts prefer edges at the border half of the time, so that
 // cracks grow and meet as well as start.
 void edit_at_random(const std::string& shape, std::uint64_t seed, int edits, int validate_every) {
-  TriangleMesh mesh = mesh_of(shape);
+  TriangleMesh mesh = triangle_mesh_of(shape);
   Random random(seed);
   const double area = mesh.total_area();
   const std::int32_t inputs = mesh.face_count();
@@ -148,7 +148,7 @@ RC_GTEST_PROP(TriangleMeshEdits, AnySeedKeepsAreaTopologyAndLabels, (std::uint64
 
 TEST(TriangleMeshEdits, CuttingEveryEdgeLeavesOneTrianglePerPiece) {
   for (const std::string& shape : shapes()) {
-    TriangleMesh mesh = mesh_of(shape);
+    TriangleMesh mesh = triangle_mesh_of(shape);
     for (std::int32_t h = 0; h < 3 * mesh.face_count(); ++h) {
       if (!mesh.is_open(h)) mesh.cut(h, 0);
     }
@@ -159,7 +159,7 @@ TEST(TriangleMeshEdits, CuttingEveryEdgeLeavesOneTrianglePerPiece) {
 }
 
 TEST(TriangleMeshEdits, ASlitInAClosedSurfaceIsABoundaryLoopWithTwoTips) {
-  TriangleMesh mesh = mesh_of("sphere?n=6");
+  TriangleMesh mesh = triangle_mesh_of("sphere?n=6");
   const std::int32_t vertices = mesh.vertex_count();
   std::int32_t h = 0;
   for (int step = 0; step < 4; ++step) {
@@ -176,14 +176,14 @@ TEST(TriangleMeshEdits, ASlitInAClosedSurfaceIsABoundaryLoopWithTwoTips) {
 }
 
 TEST(MeshSummary, CountsPartsLoopsAndGenus) {
-  const MeshSummary torus = summarize(mesh_of("torus?n=24"));
+  const MeshSummary torus = summarize(triangle_mesh_of("torus?n=24"));
   EXPECT_EQ(torus.euler_characteristic, 0);
   EXPECT_EQ(torus.genus, 1);
-  const MeshSummary tube = summarize(mesh_of("cylinder?n=24&open=1"));
+  const MeshSummary tube = summarize(triangle_mesh_of("cylinder?n=24&open=1"));
   EXPECT_EQ(tube.boundary_loops, 2);
   EXPECT_EQ(tube.genus, -1);
   EXPECT_EQ(tube.volume, 0);
-  const MeshSummary cube = summarize(mesh_of("cube?n=2"));
+  const MeshSummary cube = summarize(triangle_mesh_of("cube?n=2"));
   EXPECT_NEAR(cube.diagonal, std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(cube.edge_min, 0.5, 1e-12);
   EXPECT_NEAR(cube.edge_max, std::sqrt(0.5), 1e-12);

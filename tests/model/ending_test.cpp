@@ -12,7 +12,7 @@
 namespace craze {
 namespace {
 
-constexpr double largest = 1e300, smallest = 1e-300;
+constexpr double huge = 1e300, tiny = 1e-300;
 
 /// A run on a small mesh that is given up after a while; false then.
 bool ends(const SimulationParameters& p, SimulationFields fields, const TriangleMesh& mesh) {
@@ -88,12 +88,12 @@ TEST(ARun, EndsWhereStressIsNeverRelieved) {
 }
 
 TEST(ARun, EndsUnderAnyLoad) {
-  for (const double load : {0.0, 1e3, largest}) {
+  for (const double load : {0.0, 1e3, huge}) {
     SimulationParameters p = test::small_run();
     p.evolution.max_load = load;
     EXPECT_TRUE(ends(p));
     p.evolution.shrinkage = 0.5;
-    if (load < largest) {
+    if (load < huge) {
       EXPECT_TRUE(ends(p));
     }
     p.engine = Engine::quasistatic;
@@ -107,10 +107,10 @@ TEST(ARun, EndsWhateverTheLengthsOfTips) {
   SimulationParameters p = test::small_run();
   p.engine = Engine::quasistatic;
   p.material.criterion = Criterion::strength;
-  p.crack.stride = largest;
+  p.crack.stride = huge;
   EXPECT_TRUE(ends(p, "sphere?n=3"));
   p.crack.stride = 0;
-  for (const double length : {smallest, largest}) {
+  for (const double length : {tiny, huge}) {
     p.material.process_zone = length;
     EXPECT_TRUE(ends(p, "sphere?n=3"));
     p.material.lookahead = length;
@@ -124,13 +124,13 @@ TEST(ARun, IsRefusedWhereItsStepsWouldTakeForEver) {
   p.evolution.relaxation_steps = std::int64_t{1} << 53;
   EXPECT_THROW(ends(p), Error);
   p.evolution.relaxation_steps = 1;
-  p.evolution.time_step = largest;
+  p.evolution.time_step = huge;
   EXPECT_THROW(ends(p), Error);
-  p.evolution.time_step = smallest;  // nothing would ever move
+  p.evolution.time_step = tiny;  // nothing would ever move
   EXPECT_TRUE(ends(p));
   p = test::small_run();
   p.evolution.shrinkage = 0.5;
-  p.evolution.max_load = largest;
+  p.evolution.max_load = huge;
   EXPECT_THROW(ends(p), Error);
 }
 
@@ -159,13 +159,13 @@ TEST(ARun, IsRefusedWhereNumbersWouldOverflow) {
     SimulationParameters p = test::small_run();
     p.engine = engine;
     const TriangleMesh mesh = test::mesh_of("plate?n=4");
-    for (const double stress : {largest, std::numeric_limits<double>::infinity(),
+    for (const double stress : {huge, std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::quiet_NaN()}) {
       SimulationFields fields = test::noisy_tension(mesh, 1);
       fields.stress[3].xx = stress;
       EXPECT_THROW(ends(p, fields, mesh), Error) << stress;
     }
-    p.layer.screening_length = smallest;
+    p.layer.screening_length = tiny;
     EXPECT_THROW(ends(p), Error);
   }
 }

@@ -22,7 +22,7 @@ using test::mesh_of;
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// A layer that sticks, quasistatic, whose cracks do not see the mesh.
-SimulationParameters layer() {
+SimulationParameters strong_layer() {
   SimulationParameters p;
   p.material.criterion = Criterion::strength;
   p.material.relative_toughness = 0.3;
@@ -141,7 +141,7 @@ TEST(OnsetLoading, RefusesWhatWouldTakeHoursInOneLine) {
 TEST(AnOnset, ThatIsTheSameEverywhereMovesAllDatesByItAndChangesNothingElse) {
   constexpr double onset = 0.75;
   const TriangleMesh mesh = mesh_of("plate?n=24&jitter=0.3");
-  SimulationParameters p = layer(), later = p;
+  SimulationParameters p = strong_layer(), later = p;
   later.evolution.max_load += onset;
   Simulation a(mesh, test::noisy_tension(mesh, 1), p, {}),
       b(mesh, staggered(mesh, [&](double) { return onset; }), later, {});
@@ -158,7 +158,7 @@ TEST(AnOnset, ThatIsTheSameEverywhereMovesAllDatesByItAndChangesNothingElse) {
 
 TEST(AnOnset, ThatHardlyDiffersOpensTheFirstCrackWithinAStepOfTheOneWithout) {
   const TriangleMesh mesh = mesh_of("plate?n=24&jitter=0.3");
-  SimulationParameters p = layer();
+  SimulationParameters p = strong_layer();
   p.evolution.max_cracks = 1;
   Simulation exact(mesh, test::noisy_tension(mesh, 1), p, {}),
       stepped(mesh, staggered(mesh, [](double x) { return 1e-9 * (1 + x); }), p, {});
@@ -172,7 +172,7 @@ TEST(AnOnset, ThatHardlyDiffersOpensTheFirstCrackWithinAStepOfTheOneWithout) {
 
 TEST(AnOnset, BeyondMaxLoadLeavesAPlaceWholeButForWhatItsNeighboursPull) {
   const TriangleMesh mesh = mesh_of("plate?n=40&jitter=0.3");
-  const SimulationParameters p = layer();
+  const SimulationParameters p = strong_layer();
   Simulation s(mesh, staggered(mesh, [](double x) { return x < 0 ? 0 : 2.5; }), p, {});
   EXPECT_EQ(s.run({}), StopReason::max_load);
   EXPECT_GT(s.events(), 10);
@@ -186,7 +186,7 @@ TEST(AnOnset, BeyondMaxLoadEverywhereCracksNothing) {
   const TriangleMesh mesh = mesh_of("plate?n=10");
   for (const bool alike : {true, false}) {
     Simulation s(mesh, staggered(mesh, [&](double x) { return alike || x < 0 ? 3 : never; }),
-                 layer(), {});
+                 strong_layer(), {});
     EXPECT_EQ(s.run({}), StopReason::max_load);
     EXPECT_EQ(s.events(), 0);
     EXPECT_EQ(s.load(), 2);
@@ -202,7 +202,7 @@ Simulation behind_a_front(const SimulationParameters& p, int threads = 1) {
 }
 
 SimulationParameters dries() {
-  SimulationParameters p = layer();
+  SimulationParameters p = strong_layer();
   p.evolution.max_load = 20;
   p.evolution.place_load = 2;
   return p;
@@ -270,7 +270,7 @@ TEST(AFront, GoesOnWhereItWasStoppedAndStopsAtMaxCracks) {
 /// Σ L cos 2θ / Σ L of an even layer, θ from x: 1 where all cracks run along x, −1 across it.
 double along_x(std::uint64_t seed, double front_speed) {
   const TriangleMesh mesh = mesh_of("plate?n=48&jitter=0.3");
-  SimulationParameters p = layer();
+  SimulationParameters p = strong_layer();
   p.material.relative_toughness = 0.15;
   p.material.alpha = 0.85;
   p.layer.screening_length = 0.07;

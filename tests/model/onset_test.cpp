@@ -13,7 +13,7 @@
 namespace craze {
 namespace {
 
-SimulationParameters layer() {
+SimulationParameters plain_layer() {
   SimulationParameters p;
   p.layer.screening_length = 0.1;
   return p;
@@ -39,12 +39,12 @@ InputFields painted(std::vector<double> values) {
 }
 
 TEST(Onset, IsNotThereWhereNothingAsksForOne) {
-  EXPECT_TRUE(onset_per_face(test::mesh_of("plate?n=3"), layer(), {}).empty());
+  EXPECT_TRUE(onset_per_face(test::mesh_of("plate?n=3"), plain_layer(), {}).empty());
 }
 
 TEST(Onset, OfAPlaneFrontGrowsAlongItsDirectionFromTheFirstPlaceItMeets) {
   const TriangleMesh mesh = test::mesh_of("sphere?n=4");
-  SimulationParameters p = layer();
+  SimulationParameters p = plain_layer();
   p.evolution.onset_speed = 0.25;
   p.evolution.onset_direction = {0, 0, -3};
   double first = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ TEST(Onset, OfAPlaneFrontGrowsAlongItsDirectionFromTheFirstPlaceItMeets) {
 
 TEST(Onset, OfAFrontFromFarAwayIsThatOfAPlaneFront) {
   const TriangleMesh mesh = test::mesh_of("plate?n=5");
-  SimulationParameters far = layer(), plane = layer();
+  SimulationParameters far = plain_layer(), plane = plain_layer();
   far.evolution.onset_speed = plane.evolution.onset_speed = 0.25;
   far.evolution.onset_point = {-1e5, 0, 0};
   plane.evolution.onset_direction = {1, 0, 0};
@@ -68,7 +68,7 @@ TEST(Onset, OfAFrontFromFarAwayIsThatOfAPlaneFront) {
 
 TEST(Onset, OfAPointAttributeAndPictureAddUp) {
   const TriangleMesh mesh = test::mesh_of("plate?n=3");
-  SimulationParameters p = layer();
+  SimulationParameters p = plain_layer();
   p.evolution.onset_speed = 2;
   const std::vector<double> front = onset_per_face(mesh, p, {});
   InputFields fields = painted(std::vector<double>(mesh.vertex_count(), 0.5));
@@ -85,7 +85,7 @@ TEST(Onset, OfAPointAttributeAndPictureAddUp) {
 
 TEST(Onset, OfASpeedBeyondAllNumbersIsAtOnceAndOfOneThatIsHardlyAnyIsNever) {
   const TriangleMesh mesh = test::mesh_of("plate?n=3");
-  SimulationParameters p = layer();
+  SimulationParameters p = plain_layer();
   p.evolution.onset_speed = std::numeric_limits<double>::max();
   for (const double o : onset_per_face(mesh, p, {})) EXPECT_LT(o, 1e-300);
   p.evolution.onset_speed = std::numeric_limits<double>::min();
@@ -102,7 +102,7 @@ TEST(Onset, RefusesWhatMeansNothingInOneLine) {
     EXPECT_NE(message.find(key), std::string::npos) << message;
   };
   const std::size_t vertices = 16;
-  SimulationParameters p = layer();
+  SimulationParameters p = plain_layer();
   p.evolution.onset_attribute = "when";
   expect_named(refusal(p), "evolution.onset_attribute");
   std::vector<double> values(vertices, 1);
@@ -110,13 +110,13 @@ TEST(Onset, RefusesWhatMeansNothingInOneLine) {
   EXPECT_NE(refusal(p, painted(values)).find("-0.5"), std::string::npos);
   values[5] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal(p, painted(values)).find("not finite"), std::string::npos);
-  p = layer();
+  p = plain_layer();
   p.evolution.onset_texture = "picture";
   expect_named(refusal(p), "evolution.onset_texture");
-  p = layer();
+  p = plain_layer();
   p.evolution.onset_point = {1, 0, 0};
   expect_named(refusal(p), "evolution.onset_speed");
-  p = layer();
+  p = plain_layer();
   p.evolution.onset_direction = {1, 0, 0};
   expect_named(refusal(p), "evolution.onset_speed");
   p.evolution.onset_speed = 1;
@@ -130,7 +130,7 @@ TEST(Onset, RefusesWhatMeansNothingInOneLine) {
 TEST(Onset, OfAFrontIsRefusedOnATileWhichHasNoFirstPlace) {
   const SurfaceMesh square = periodic_square(1, 6);
   const TriangleMesh tile(square.positions, square.triangles, {1});
-  SimulationParameters p = layer();
+  SimulationParameters p = plain_layer();
   p.evolution.onset_speed = 1;
   const std::string message = error_of([&] { onset_per_face(tile, p, {}); }, ErrorKind::request);
   EXPECT_NE(message.find("tile"), std::string::npos) << message;

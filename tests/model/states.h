@@ -24,6 +24,11 @@ inline TriangleMesh mesh_of(const std::string& shape) {
   return {std::move(s.positions), std::move(s.triangles)};
 }
 
+inline Vec3 centroid(const TriangleMesh& mesh, std::int32_t f) {
+  const Triangle& t = mesh.triangle(f);
+  return (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
+}
+
 inline Vec3 random_unit(Random& random) {
   Vec3 v;
   do {

@@ -10,7 +10,7 @@
 namespace craze {
 namespace {
 
-constexpr CrackRules rules{0.2, 1, NearVertex::snap};
+constexpr CrackRules ahead_rules{0.2, 1, NearVertex::snap};
 
 /// Opens a crack through v on planes of one normal, of so many segments either way, and returns its
 /// tips.
@@ -22,7 +22,7 @@ std::vector<std::int32_t> straight_crack(CrackedSheet& sheet, std::int32_t v, co
     std::vector<std::int32_t> next;
     for (const std::int32_t tip : tips) {
       CrackOutcome outcome;
-      open_crack(sheet, tip, normal, rules, label, outcome);
+      open_crack(sheet, tip, normal, ahead_rules, label, outcome);
       label += static_cast<std::int32_t>(outcome.segments.size());
       next.insert(next.end(), outcome.tips.begin(), outcome.tips.end());
     }
@@ -39,11 +39,6 @@ std::int32_t node_next_to(const TriangleMesh& mesh, const Vec3& p) {
   return nearest;
 }
 
-Vec3 centroid(const TriangleMesh& mesh, std::int32_t f) {
-  const Triangle& t = mesh.triangle(f);
-  return (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
-}
-
 Vec3 face_normal(const TriangleMesh& mesh, std::int32_t f) {
   const Mat32 frame = tangent_frame(mesh, f);
   return frame.col(0).cross(frame.col(1));
@@ -54,7 +49,7 @@ template <class Predicate>
 StressField field_where(const TriangleMesh& mesh, const Sym3& stress, Predicate&& fits) {
   std::vector<Sym3> all(mesh.face_count());
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    if (fits(centroid(mesh, f))) all[f] = stress;
+    if (fits(test::centroid(mesh, f))) all[f] = stress;
   }
   return test::field_of(mesh, all);
 }

@@ -9,6 +9,7 @@
 #include "craze/mesh/tangent_frame.h"
 #include "craze/model/sources/painted_multiplier.h"
 #include "model/analytic_surfaces.h"
+#include "model/states.h"
 
 namespace craze {
 namespace {
@@ -26,11 +27,6 @@ std::vector<Sym2> stress(const TriangleMesh& mesh, const StressParameters& p,
   Context context;
   context.threads = threads;
   return initial_stress(mesh, p, impacts, seed, fields, context);
-}
-
-Vec3 centroid(const TriangleMesh& mesh, std::int32_t f) {
-  const Triangle& t = mesh.triangle(f);
-  return (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
 }
 
 /// The plate's own UVs: (0, 0) at the lower left corner.
@@ -86,7 +82,7 @@ TEST(StressSources, CurvatureStressPullsAcrossTheBend) {
   const TriangleMesh mesh = test::cylinder(96, 4, 0);
   const auto sigma = stress(mesh, p);
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const Vec3 c = centroid(mesh, f);
+    const Vec3 c = test::centroid(mesh, f);
     const Vec3 around = Vec3(-c.y(), c.x(), 0).normalized();
     const Sym3 world = to_world(sigma[f], tangent_frame(mesh, f));
     EXPECT_NEAR(around.dot(world * around), 0.5, 0.01);
@@ -131,7 +127,7 @@ TEST(StressSources, AnImpactPullsAlongAndAcrossItsRays) {
   const TriangleMesh mesh = test::plate(40, 1, 0.2);
   const auto sigma = stress(mesh, nothing(), {impact});
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const Vec3 ray = centroid(mesh, f) - impact.point;
+    const Vec3 ray = test::centroid(mesh, f) - impact.point;
     const double r = ray.norm(), q = std::max(1.0, r / impact.radius);
     const Vec3 along = ray.normalized(), across = Vec3::UnitZ().cross(along);
     const Sym3 world = to_world(sigma[f], tangent_frame(mesh, f));
@@ -179,7 +175,7 @@ TEST(StressSources, PaintedScalarsAndTensorsAreAdded) {
   p.attribute = "field";
   const auto tensor = stress(mesh, p, {}, fields);
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    EXPECT_NEAR(scalar[f].xx, 3 + centroid(mesh, f).x(), 1e-12);
+    EXPECT_NEAR(scalar[f].xx, 3 + test::centroid(mesh, f).x(), 1e-12);
     EXPECT_NEAR(scalar[f].xy, 0, 1e-12);
     const Sym3 world = to_world(tensor[f], tangent_frame(mesh, f));
     EXPECT_NEAR(world.xx, 6, 1e-12);
@@ -216,7 +212,7 @@ TEST(StressSources, ATextureMultipliesEverythingAndItsBlackForbidsCracks) {
   const auto sigma = stress(mesh, parameters.stress, {}, fields);
   const auto forbidden = forbidden_faces(mesh, parameters, fields);
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const double x = centroid(mesh, f).x();
+    const double x = test::centroid(mesh, f).x();
     if (x > -0.33 && x < -0.17) {
       EXPECT_EQ(sigma[f].xx, 0);
       EXPECT_EQ(forbidden[f], 1);
@@ -233,7 +229,7 @@ TEST(StressSources, APaintedSourceAloneForbidsWhereItIsZeroButNotBesideAnother) 
   InputFields fields;
   Attribute paint{"paint", 1, {}};
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    paint.values.push_back(centroid(mesh, f).x() > 0 ? 1 : 0);
+    paint.values.push_back(test::centroid(mesh, f).x() > 0 ? 1 : 0);
   }
   fields.face_attributes = {paint};
   SimulationParameters p;
@@ -264,7 +260,8 @@ TEST(StressSources, PaintedStrengthAndSpacingAreFactorsAndZeroForbids) {
     EXPECT_DOUBLE_EQ(m.vertex[v], 0.5 * tough.values[v]);
   }
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    EXPECT_EQ(forbidden[f] == 1, centroid(mesh, f).y() > 0.2) << centroid(mesh, f).transpose();
+    EXPECT_EQ(forbidden[f] == 1, test::centroid(mesh, f).y() > 0.2)
+        << test::centroid(mesh, f).transpose();
   }
   for (const double x : spacing_multiplier(mesh, p.layer, fields).face) EXPECT_EQ(x, 1);
   fields.vertex_attributes[0].values[3] = -1;

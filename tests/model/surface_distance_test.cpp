@@ -9,17 +9,13 @@
 #include "craze/error.h"
 #include "craze/mesh/tangent_frame.h"
 #include "model/analytic_surfaces.h"
+#include "model/states.h"
 
 // Worst relative error of the distance at the faces, beyond 0.1 from the source, unit sphere
 // (jitter 0.1):   512: .044   2,048: .026   8,192: .013   32,768: .006   73,728: .005
 
 namespace craze {
 namespace {
-
-Vec3 centroid(const TriangleMesh& mesh, std::int32_t f) {
-  const Triangle& t = mesh.triangle(f);
-  return (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3;
-}
 
 PointOnSurface nearest(const TriangleMesh& mesh, const Vec3& p) {
   return closest_surface_point(mesh, p, Context{});
@@ -29,7 +25,7 @@ void expect_straight(const TriangleMesh& mesh, const Vec3& from, double toleranc
   const PointOnSurface source = nearest(mesh, from);
   const SurfaceDistance d = surface_distance(mesh, source, {});
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-    const Vec3 ray = centroid(mesh, f) - source.position;
+    const Vec3 ray = test::centroid(mesh, f) - source.position;
     EXPECT_NEAR(d.face[f], ray.norm(), tolerance * ray.norm());
     EXPECT_GT((tangent_frame(mesh, f) * d.direction[f]).dot(ray.normalized()), 1 - tolerance);
   }
@@ -53,7 +49,7 @@ TEST(SurfaceDistance, FollowsTheSphereNotTheChord) {
     const SurfaceDistance d = surface_distance(mesh, source, {});
     double worst = 0;
     for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
-      const Vec3 c = centroid(mesh, f);
+      const Vec3 c = test::centroid(mesh, f);
       const double exact = std::atan2(c.cross(source.position).norm(), c.dot(source.position));
       if (exact > 0.1) worst = std::max(worst, std::abs(d.face[f] - exact) / exact);
     }
@@ -79,7 +75,7 @@ TEST(SurfaceDistance, GoesAroundAHole) {
   const TriangleMesh whole = test::plate(40, 1, 0);
   std::vector<Triangle> kept;
   for (std::int32_t f = 0; f < whole.face_count(); ++f) {
-    const Vec3 c = centroid(whole, f);
+    const Vec3 c = test::centroid(whole, f);
     if (std::abs(c.x()) > 0.1 || c.y() > 0.25) kept.push_back(whole.triangle(f));
   }
   const TriangleMesh mesh(whole.positions(), kept);

@@ -7,21 +7,21 @@
 namespace craze::render {
 namespace {
 
-constexpr float pixel = 0.0005f;
+constexpr float fine_pixel = 0.0005f;
 
 /// The share of a square whose colour is another than the ground's.
 double changed(const Pattern& pattern) {
   int other = 0, all = 0;
   for (float x = 0; x < 1; x += 0.0083f) {
     for (float y = 0; y < 1; y += 0.0083f, ++all) {
-      other += std::abs(pattern_at(pattern, {x, y, 0}, pixel).tint[0] - 1) > 0.1f;
+      other += std::abs(pattern_at(pattern, {x, y, 0}, fine_pixel).tint[0] - 1) > 0.1f;
     }
   }
   return static_cast<double>(other) / all;
 }
 
 TEST(Pattern, ThatIsNoneLeavesTheGroundAsItIs) {
-  const PatternSample sample = pattern_at({}, {0.3f, 0.2f, 0}, pixel);
+  const PatternSample sample = pattern_at({}, {0.3f, 0.2f, 0}, fine_pixel);
   EXPECT_TRUE((sample.tint == Rgb::Ones()).all());
   EXPECT_TRUE(sample.tilt.isZero());
 }
@@ -61,9 +61,9 @@ TEST(Pattern, HasSpecksOfManyColours) {
   Pattern p;
   p.specks = 0.6f;
   p.speck_size = 0.01f;
-  const Rgb one = pattern_at(p, {0.1f, 0.1f, 0}, pixel).tint;
-  EXPECT_TRUE((pattern_at(p, {0.1f, 0.1f, 0}, pixel).tint == one).all());
-  EXPECT_FALSE((pattern_at(p, {0.7f, 0.3f, 0}, pixel).tint == one).any());
+  const Rgb one = pattern_at(p, {0.1f, 0.1f, 0}, fine_pixel).tint;
+  EXPECT_TRUE((pattern_at(p, {0.1f, 0.1f, 0}, fine_pixel).tint == one).all());
+  EXPECT_FALSE((pattern_at(p, {0.7f, 0.3f, 0}, fine_pixel).tint == one).any());
   EXPECT_NE(one[0] / one[1], 1);
 }
 
@@ -75,9 +75,9 @@ TEST(Pattern, LiesElsewhereWhereItIsShifted) {
   moved.shift = {0.25f, 0, 0};
   int differ = 0;
   for (float x = 0; x < 1; x += 0.01f) {
-    const Rgb here = pattern_at(p, {x + 0.25f, 0.3f, 0}, pixel).tint;
-    EXPECT_NEAR(pattern_at(moved, {x, 0.3f, 0}, pixel).tint[0], here[0], 0.02);
-    differ += pattern_at(p, {x, 0.3f, 0}, pixel).tint[0] != here[0];
+    const Rgb here = pattern_at(p, {x + 0.25f, 0.3f, 0}, fine_pixel).tint;
+    EXPECT_NEAR(pattern_at(moved, {x, 0.3f, 0}, fine_pixel).tint[0], here[0], 0.02);
+    differ += pattern_at(p, {x, 0.3f, 0}, fine_pixel).tint[0] != here[0];
   }
   EXPECT_GT(differ, 20);
 }

@@ -17,6 +17,7 @@ export NODE_PATH=${NODE_PATH:+$NODE_PATH:}/usr/share/nodejs
 cd "$(dirname "$0")/../.."
 cmake --preset wasm
 cmake --build --preset wasm --target cracked_presets --parallel "$(nproc)"
-"$native" > "$folder/native.txt"
+"$native" > "$folder/native.txt" &
 node "$folder/tests/wasm/cracked_presets.js" > "$folder/wasm.txt"
+wait $!
 diff "$folder/native.txt" "$folder/wasm.txt"

@@ -8,6 +8,10 @@ struct DoubleDouble {
   double high = 0, low = 0;
 };
 
+namespace elementary {
+inline constexpr DoubleDouble half_pi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
+}
+
 /// a + b exactly.
 inline DoubleDouble two_sum(double a, double b) {
   const double sum = a + b;

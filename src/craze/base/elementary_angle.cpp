@@ -12,7 +12,6 @@ namespace craze::elementary {
 namespace {
 
 constexpr DoubleDouble pi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
-constexpr DoubleDouble half_pi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
 
 // arctan(k / 8)
 constexpr DoubleDouble arctan_of_eighths[] = {

@@ -12,8 +12,6 @@ namespace craze::elementary {
 
 namespace {
 
-constexpr DoubleDouble half_pi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
-
 /// x = n π/2 + rest, |rest| ≤ π/4 or hardly more; n modulo 4.
 struct Reduced {
   int quadrant = 0;

@@ -15,7 +15,7 @@
 #include "craze/mesh/morph_animation.h"
 #include "craze/output/lost_data.h"
 #include "craze/output/write_surface.h"
-#include "craze/products/crack_lines.h"
+#include "craze/products.h"
 #include "craze/products/cut_surface.h"
 #include "craze/products/field_mesh.h"
 #include "craze/products/growth/growth.h"

@@ -15,10 +15,10 @@ namespace craze {
 namespace {
 
 constexpr int tiles_on_plane = 2, tiles_around = 4, tiles_up = 2;
-constexpr int picture_size = 800;
+constexpr int preview_size = 800;
 
 /// Vertex (i, j) of a grid with a triangle pair for each texel.
-SurfaceMesh grid(int across, int up, int texels, const auto& place) {
+SurfaceMesh grid_of(int across, int up, int texels, const auto& place) {
   SurfaceMesh mesh;
   for (int j = 0; j <= up; ++j) {
     for (int i = 0; i <= across; ++i) mesh.positions.push_back(place(i, j));
@@ -56,7 +56,7 @@ double height_at(const Map& height, int i, int j) {
 
 SurfaceMesh tiled_plane(const Map& height, double side) {
   const int n = height.header.size, across = tiles_on_plane * n;
-  return grid(across, across, n, [&](int i, int j) {
+  return grid_of(across, across, n, [&](int i, int j) {
     return Vec3(side * i / n, side * j / n, height_at(height, i % n, j % n));
   });
 }
@@ -64,7 +64,7 @@ SurfaceMesh tiled_plane(const Map& height, double side) {
 SurfaceMesh tiled_sphere(const Map& height, double side) {
   const int n = height.header.size, around = tiles_around * n, up = tiles_up * n;
   const double radius = tiles_around * side / (2 * std::numbers::pi);
-  return grid(around, up, n, [&](int i, int j) {
+  return grid_of(around, up, n, [&](int i, int j) {
     const double longitude = 2 * std::numbers::pi * i / around;
     const double latitude = std::numbers::pi * (static_cast<double>(j) / up - 0.5);
     const double r = radius + height_at(height, i % n, j % n);
@@ -84,7 +84,7 @@ render::Image tile_picture(const SurfaceMesh& mesh, const Map& base_color,
   const int n = base_color.header.size;
   const Image image{n, n, 3, std::move(pixels)};
   render::PictureOptions options;
-  options.width = options.height = picture_size;
+  options.width = options.height = preview_size;
   options.material = material;
   options.material.mottle = options.material.pieces = 0;  // they are in the base colour
   options.material.glass = false;

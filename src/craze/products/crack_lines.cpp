@@ -1,4 +1,4 @@
-#include "craze/products/crack_lines.h"
+#include "craze/products.h"
 
 #include "craze/base/progress_meter.h"
 #include "craze/engine/cracked_surface.h"

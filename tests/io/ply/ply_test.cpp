@@ -7,7 +7,7 @@
 namespace craze {
 namespace {
 
-SurfaceMesh read(const std::string& bytes) {
+SurfaceMesh read_surface(const std::string& bytes) {
   return read_mesh(bytes, "a.ply").mesh;
 }
 
@@ -19,7 +19,7 @@ void append_big(std::string& bytes, T value) {
 }
 
 TEST(Ply, PropertiesMayComeInAnyOrderAndType) {
-  const auto mesh = read(
+  const auto mesh = read_surface(
       "ply\nformat ascii 1.0\ncomment z first\nelement vertex 3\nproperty double z\n"
       "property short confidence\nproperty int x\nproperty uchar y\nelement face 1\n"
       "property float q\nproperty list int short vertex_index\nend_header\n"
@@ -51,13 +51,13 @@ TEST(Ply, BothByteOrdersAreRead) {
     append(little, v);
     append_big(big, v);
   }
-  EXPECT_EQ(read(little).positions, read(big).positions);
-  EXPECT_EQ(read(big).positions[2], Vec3(0, 0.1, 300));
-  EXPECT_EQ(read(big).triangles[0], (Triangle{0, 1, 2}));
+  EXPECT_EQ(read_surface(little).positions, read_surface(big).positions);
+  EXPECT_EQ(read_surface(big).positions[2], Vec3(0, 0.1, 300));
+  EXPECT_EQ(read_surface(big).triangles[0], (Triangle{0, 1, 2}));
 }
 
 TEST(Ply, UnknownElementsAndListsAreSkipped) {
-  const auto mesh = read(
+  const auto mesh = read_surface(
       "ply\nformat ascii 1.0\nelement camera 2\nproperty float fov\nproperty list uchar int ids\n"
       "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "property list uchar float weights\nelement face 1\n"
@@ -68,7 +68,7 @@ TEST(Ply, UnknownElementsAndListsAreSkipped) {
 }
 
 TEST(Ply, PolygonsShareTheirFacesValues) {
-  const auto mesh = read(
+  const auto mesh = read_surface(
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
       "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
       "property float q\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 5\n3 0 1 2 6\n");
@@ -79,7 +79,7 @@ TEST(Ply, PolygonsShareTheirFacesValues) {
 TEST(Ply, ColoursOfBytesAndOfFloatsAreFromZeroToOne) {
   const std::string body = "property float x\nproperty float y\nproperty float z\n";
   const auto read_color = [&](const std::string& type, const std::string& rgb) {
-    return read(
+    return read_surface(
                "ply\nformat ascii 1.0\nelement vertex 3\n" + body + "property " + type +
                " red\nproperty " + type + " green\nproperty " + type +
                " blue\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 " +
@@ -94,20 +94,21 @@ TEST(Ply, UvsOfVerticesAndOfFaces) {
   const std::string head =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
       "property float z\n";
-  const auto by_vertex = read(head +
-                              "property float texture_u\nproperty float texture_v\nelement face 1\n"
-                              "property list uchar int vertex_indices\nend_header\n"
-                              "0 0 0 0 0.5\n1 0 0 1 0.5\n0 1 0 0 1\n3 0 1 2\n");
+  const auto by_vertex =
+      read_surface(head +
+                   "property float texture_u\nproperty float texture_v\nelement face 1\n"
+                   "property list uchar int vertex_indices\nend_header\n"
+                   "0 0 0 0 0.5\n1 0 0 1 0.5\n0 1 0 0 1\n3 0 1 2\n");
   EXPECT_EQ(by_vertex.corner_uvs[1], Vec2(1, 0.5));
-  const auto by_face = read(head +
-                            "element face 1\nproperty list uchar int vertex_indices\n"
-                            "property list uchar float texcoord\nend_header\n"
-                            "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0.5 1 0.5 0 1\n");
+  const auto by_face = read_surface(head +
+                                    "element face 1\nproperty list uchar int vertex_indices\n"
+                                    "property list uchar float texcoord\nend_header\n"
+                                    "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0.5 1 0.5 0 1\n");
   EXPECT_EQ(by_face.corner_uvs, by_vertex.corner_uvs);
 }
 
 TEST(Ply, WhatIsWrittenReadsBackTheSame) {
-  const SurfaceMesh mesh = rich_mesh(), back = read(format_mesh(mesh, "ply"));
+  const SurfaceMesh mesh = rich_mesh(), back = read_surface(format_mesh(mesh, "ply"));
   expect_same_corners(mesh, back, 0);
   expect_same_materials(mesh, back);
   expect_same_at_corners(mesh, back, "crack_time", 0);
@@ -120,7 +121,7 @@ TEST(Ply, WithoutSeamsVerticesStayAsTheyAre) {
   SurfaceMesh mesh = rich_mesh();
   mesh.corner_uvs.clear();
   mesh.corner_normals.clear();
-  const SurfaceMesh back = read(format_mesh(mesh, "ply"));
+  const SurfaceMesh back = read_surface(format_mesh(mesh, "ply"));
   EXPECT_EQ(back.positions, mesh.positions);
   EXPECT_EQ(back.triangles, mesh.triangles);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -136,7 +137,7 @@ TEST(Ply, NamesOfAttributesBecomeWordsOfTheirOwn) {
   mesh.corner_normals.clear();
   const std::vector<double> values(mesh.positions.size(), 1.5);
   mesh.vertex_attributes = {{"x", 1, values}, {"grain size\n", 1, values}, {"", 1, values}};
-  const SurfaceMesh back = read(format_mesh(mesh, "ply"));
+  const SurfaceMesh back = read_surface(format_mesh(mesh, "ply"));
   EXPECT_EQ(back.positions, mesh.positions);
   for (const char* name : {"x_", "grain_size_", "unnamed"}) {
     EXPECT_NE(find_attribute(back.vertex_attributes, name), nullptr) << name;
@@ -155,10 +156,11 @@ std::string quad(const std::string& properties, const std::string& values) {
 TEST(Ply, StripsEndWithMinusOneAndTurnEveryOtherTriangle) {
   for (const char* type : {"int", "uint"}) {
     const bool is_signed = std::string(type) == "int";
-    const auto mesh = read(std::string("ply\nformat ascii 1.0\nelement vertex 4\n") + xyz +
-                           "element tristrips 1\nproperty list int " + type +
-                           " vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 0 1 2 3 " +
-                           (is_signed ? "-1" : "4294967295") + " 0 1 2 2\n");
+    const auto mesh =
+        read_surface(std::string("ply\nformat ascii 1.0\nelement vertex 4\n") + xyz +
+                     "element tristrips 1\nproperty list int " + type +
+                     " vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 0 1 2 3 " +
+                     (is_signed ? "-1" : "4294967295") + " 0 1 2 2\n");
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {0, 1, 2}})) << type;
   }
 }
@@ -175,22 +177,22 @@ TEST(Ply, RowsMayShareALine) {
   std::string text = quad("", "");
   const std::size_t body = text.find("end_header\n") + 11;
   std::replace(text.begin() + static_cast<std::ptrdiff_t>(body), text.end(), '\n', ' ');
-  EXPECT_EQ(read(text).positions, read(quad("", "")).positions);
+  EXPECT_EQ(read_surface(text).positions, read_surface(quad("", "")).positions);
 }
 
 TEST(Ply, ColoursAndUvsGoByManyNames) {
   for (const char* prefix : {"", "diffuse_"}) {
     const std::string p = std::string("property uchar ") + prefix;
-    const auto mesh = read(quad(p + "red\n" + p + "green\n" + p + "blue\n", "255 51 0"));
+    const auto mesh = read_surface(quad(p + "red\n" + p + "green\n" + p + "blue\n", "255 51 0"));
     ASSERT_EQ(mesh.vertex_colors.size(), 4u) << prefix;
     EXPECT_EQ(mesh.vertex_colors[0], (Color{1, 0.2f, 0, 1}));
   }
   for (const char* names : {"s t", "u v", "texture_u texture_v", "texture_s texture_t"}) {
     const std::string both = names;
     const std::size_t space = both.find(' ');
-    const auto mesh = read(quad("property float " + both.substr(0, space) + "\nproperty float " +
-                                    both.substr(space + 1) + "\n",
-                                "0.25 0.75"));
+    const auto mesh = read_surface(quad("property float " + both.substr(0, space) +
+                                            "\nproperty float " + both.substr(space + 1) + "\n",
+                                        "0.25 0.75"));
     ASSERT_EQ(mesh.corner_uvs.size(), 6u) << names;
     EXPECT_EQ(mesh.corner_uvs[0], Vec2(0.25, 0.75));
   }
@@ -198,9 +200,9 @@ TEST(Ply, ColoursAndUvsGoByManyNames) {
 
 TEST(Ply, FloatColoursAreOfEitherScale) {
   const std::string rgb = "property float red\nproperty float green\nproperty float blue\n";
-  EXPECT_EQ(read(quad(rgb, "255 51 0")).vertex_colors[0], (Color{1, 0.2f, 0, 1}));
-  EXPECT_EQ(read(quad(rgb, "1 0.5 0")).vertex_colors[0], (Color{1, 0.5f, 0, 1}));
-  EXPECT_EQ(read(quad(rgb + "property float alpha\n", "255 51 0 0.5")).vertex_colors[0],
+  EXPECT_EQ(read_surface(quad(rgb, "255 51 0")).vertex_colors[0], (Color{1, 0.2f, 0, 1}));
+  EXPECT_EQ(read_surface(quad(rgb, "1 0.5 0")).vertex_colors[0], (Color{1, 0.5f, 0, 1}));
+  EXPECT_EQ(read_surface(quad(rgb + "property float alpha\n", "255 51 0 0.5")).vertex_colors[0],
             (Color{1, 0.2f, 0, 0.5f}));
 }
 
@@ -213,14 +215,15 @@ TEST(Ply, HeadersOfAnyLineEndLeaveBinaryRowsWhole) {
   for (const std::string end : {"\n", "\r", "\r\n"}) {
     std::string other;
     for (const char c : header) other += c == '\n' ? end : std::string(1, c);
-    EXPECT_EQ(read(other + body).positions[0], Vec3(10, 13, 10));
+    EXPECT_EQ(read_surface(other + body).positions[0], Vec3(10, 13, 10));
   }
 }
 
 TEST(Ply, IntegersOf64BitsAreRead) {
-  const auto mesh = read("ply\nformat ascii 1.0\nobj_info by hand\nelement vertex 3\n" + xyz +
-                         "property uint64 id\nelement face 1\nproperty list uint64 int64 "
-                         "vertex_index\nend_header\n0 0 0 7\n1 0 0 8\n0 1 0 9\n3 0 1 2\n");
+  const auto mesh =
+      read_surface("ply\nformat ascii 1.0\nobj_info by hand\nelement vertex 3\n" + xyz +
+                   "property uint64 id\nelement face 1\nproperty list uint64 int64 "
+                   "vertex_index\nend_header\n0 0 0 7\n1 0 0 8\n0 1 0 9\n3 0 1 2\n");
   EXPECT_EQ(find_attribute(mesh.vertex_attributes, "id")->values, (std::vector<double>{7, 8, 9}));
 }
 

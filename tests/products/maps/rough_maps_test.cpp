@@ -19,7 +19,7 @@
 namespace craze {
 namespace {
 
-constexpr int size = 300;
+constexpr int map_size = 300;
 
 /// The unit plate around the origin.
 Result rough_plate() {
@@ -32,7 +32,7 @@ Result rough_plate() {
 
 std::vector<Map> maps_of(const Result& result, std::vector<MapKind> kinds) {
   MapOptions options;
-  options.size = size;
+  options.size = map_size;
   options.maps = std::move(kinds);
   options.post.gap = 0.2;
   options.post.wall = 0.02;
@@ -45,16 +45,16 @@ TEST(RoughMaps, MeasureTheDistanceToTheRoughLines) {
   const Map distance = maps_of(result, {MapKind::distance}).front();
   const CrackNetwork& network = result.state().network;
   double worst = 0;
-  for (int y = 0; y < size; y += 13) {
-    for (int x = 0; x < size; x += 13) {
-      const Vec3 p((x + 0.5) / size - 0.5, 0.5 - (y + 0.5) / size, 0);
+  for (int y = 0; y < map_size; y += 13) {
+    for (int x = 0; x < map_size; x += 13) {
+      const Vec3 p((x + 0.5) / map_size - 0.5, 0.5 - (y + 0.5) / map_size, 0);
       double least = 2;
       for (const CrackEdge& e : network.edges) {
         least = std::min(least, point_segment_distance(p, network.nodes[e.a].position,
                                                        network.nodes[e.b].position));
       }
-      worst = std::max(worst,
-                       std::abs(distance.values[static_cast<std::size_t>(y * size + x)] - least));
+      worst = std::max(
+          worst, std::abs(distance.values[static_cast<std::size_t>(y * map_size + x)] - least));
     }
   }
   EXPECT_LT(worst, 1e-6);
@@ -62,7 +62,7 @@ TEST(RoughMaps, MeasureTheDistanceToTheRoughLines) {
 
 TEST(RoughMaps, HaveTheGradientOfTheHeightAsTheirNormal) {
   const std::vector<Map> maps = maps_of(rough_plate(), {MapKind::height, MapKind::normal});
-  EXPECT_LT(test::largest_tilt(maps[0], maps[1], size), 1);
+  EXPECT_LT(test::largest_tilt(maps[0], maps[1], map_size), 1);
 }
 
 TEST(RoughMaps, OfATileHaveOneFragmentOnEachSideOfALine) {

@@ -26,8 +26,8 @@ MapOptions all_maps(int size) {
   return options;
 }
 
-std::vector<Map> bake(const MapSurface& surface, const MapOptions& options,
-                      const Context& context = {}) {
+std::vector<Map> bake_tile(const MapSurface& surface, const MapOptions& options,
+                           const Context& context = {}) {
   std::vector<Map> maps;
   MapsInMemory sink(maps);
   EXPECT_TRUE(bake_surface(surface, options, sink, context).empty());
@@ -69,8 +69,8 @@ void expect_no_border(const MapSurface& surface, std::uint64_t seed, double curl
   MapOptions options = all_maps(size);
   options.post.curl = curl;
   options.post.chipping = chipping;
-  const std::vector<Map> here = bake(surface, options);
-  const std::vector<Map> there = bake(moved(surface, {0.5, 0.25}), options);
+  const std::vector<Map> here = bake_tile(surface, options);
+  const std::vector<Map> there = bake_tile(moved(surface, {0.5, 0.25}), options);
   for (std::size_t m = 0; m < here.size(); ++m) {
     const MapInfo& info = map_info(here[m].header.kind);
     const auto channels = static_cast<std::size_t>(info.channels);
@@ -110,7 +110,7 @@ TEST(MapsOfATile, AreTheSameBitForBitWhereTheyCurlAndAreChipped) {
 double worst_distance(const CrackedTile& tile, int size, int step) {
   MapOptions options = all_maps(size);
   options.maps = {MapKind::distance};
-  const Map map = bake(tile_surface(tile), options).front();
+  const Map map = bake_tile(tile_surface(tile), options).front();
   double worst = 0;
   for (int y = 0; y < size; y += step) {
     for (int x = 0; x < size; x += step) {
@@ -143,8 +143,8 @@ TEST(MapsOfATile, AreTheSameOnAnyNumberOfThreads) {
   Context one, three;
   one.threads = 1;
   three.threads = 3;
-  const std::vector<Map> a = bake(surface, all_maps(150), one);
-  const std::vector<Map> b = bake(surface, all_maps(150), three);
+  const std::vector<Map> a = bake_tile(surface, all_maps(150), one);
+  const std::vector<Map> b = bake_tile(surface, all_maps(150), three);
   for (std::size_t m = 0; m < a.size(); ++m) EXPECT_EQ(a[m].values, b[m].values);
 }
 

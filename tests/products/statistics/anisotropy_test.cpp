@@ -10,7 +10,7 @@
 namespace craze {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Lines that touch nothing, on a wide grid, of random lengths.
 CrackGraphInput scattered(int count, std::uint64_t seed, double mean, double spread) {

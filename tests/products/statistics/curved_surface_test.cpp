@@ -14,7 +14,7 @@
 namespace craze {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The edges of a polyhedron whose vertices are the nearest neighbours of each other, drawn on its
 /// circumscribed unit sphere as arcs of `pieces` pieces, or on its own flat faces.

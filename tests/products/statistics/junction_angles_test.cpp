@@ -12,7 +12,7 @@
 namespace craze {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A T as a skeleton shows it: the crossbar is drawn toward the leg near the junction, and every
 /// point is off by some noise. Branches leave (0, −pull).

@@ -12,7 +12,7 @@
 namespace craze {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Nothing simplified, and only angles of 180° and more make a node irregular: the mosaic as it is.
 StatisticsOptions exact() {

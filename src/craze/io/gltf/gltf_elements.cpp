@@ -56,7 +56,7 @@ std::size_t component_size(std::size_t type) {
     case 5123:  // UNSIGNED_SHORT
       return 2;
     case 5125:  // UNSIGNED_INT
-    case 5126:  // FLOAT
+    case float_type:
       return 4;
     default:
       return 0;

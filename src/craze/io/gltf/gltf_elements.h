@@ -6,12 +6,15 @@
 
 namespace craze {
 
+/// The componentType of numbers in single precision.
+inline constexpr std::size_t float_type = 5126;
+
 /// Bytes of a number of that componentType; 0 for an unknown one.
 std::size_t component_size(std::size_t component_type);
 
 /// Elements one after another without gaps, little-endian, in their own component type.
 struct GltfElements {
-  std::size_t count = 0, components = 1, component_type = 5126;
+  std::size_t count = 0, components = 1, component_type = float_type;
   bool normalized = false;  ///< integers stand for 0 … 1 or −1 … 1
   std::string bytes;        ///< count × size()
 

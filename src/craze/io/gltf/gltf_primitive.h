@@ -14,6 +14,15 @@ namespace craze {
 /// The weights of a mesh's targets: the node's, which may be null, win over the mesh's.
 std::vector<double> morph_weights(const Json& mesh, const Json* node, const GltfJson& json);
 
+/// What a primitive is drawn as: LINES.
+inline constexpr int lines_mode = 1;
+
+/// Of a primitive.
+inline std::size_t target_count(const Json& primitive) {
+  const auto targets = primitive.find("targets");
+  return targets == primitive.end() ? 0 : targets->size();
+}
+
 /// In a primitive's extras: its triangles draw cracks and are no surface.
 inline constexpr const char* crack_lines_mark = "crack_lines";
 inline bool draws_cracks(const Json& primitive) {

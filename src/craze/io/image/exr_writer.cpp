@@ -13,7 +13,7 @@ namespace craze {
 
 namespace {
 
-constexpr int rows_of_block = 16;
+constexpr int exr_block_rows = 16;
 constexpr std::uint32_t magic = 20000630, version = 2, float_pixels = 2;
 constexpr char zip = 3, increasing_y = 0;
 
@@ -53,12 +53,12 @@ class Exr : public RowImage {
     bytes += '\0';
     table_ = bytes.size();
     const auto blocks =
-        static_cast<std::size_t>((format.height + rows_of_block - 1) / rows_of_block);
+        static_cast<std::size_t>((format.height + exr_block_rows - 1) / exr_block_rows);
     bytes.append(8 * blocks, '\0');
     file_.append(bytes);
   }
 
-  int block_rows() const override { return rows_of_block; }
+  int block_rows() const override { return exr_block_rows; }
 
   Block pack(int, int count, const float* values) const override {
     const auto width = static_cast<std::size_t>(format_.width);

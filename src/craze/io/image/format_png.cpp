@@ -7,13 +7,6 @@
 
 namespace craze {
 
-namespace {
-
-/// Each row is its difference from the pixel on the left.
-constexpr char filter_left = 1;
-
-}  // namespace
-
 std::string format_png(const PngPicture& p) {
   const std::size_t bytes_of_value = static_cast<std::size_t>(p.bits / 8);
   const std::size_t row_values = static_cast<std::size_t>(p.width) * p.channels;
@@ -26,7 +19,7 @@ std::string format_png(const PngPicture& p) {
       if (p.bits == 16) plain[2 * i] = static_cast<char>(in[i] >> 8);
       plain[bytes_of_value * (i + 1) - 1] = static_cast<char>(in[i] & 255);
     }
-    rows += filter_left;
+    rows += png_filter_left;
     for (std::size_t i = 0; i < plain.size(); ++i) {
       rows += static_cast<char>(plain[i] - (i < pixel ? 0 : plain[i - pixel]));
     }

@@ -24,23 +24,23 @@ namespace {
 
 /// A block of 64 pixels takes at least one bit of a Huffman code. Arithmetic codes take less; the
 /// bound there is only one on memory.
-constexpr std::uint64_t pixels_per_byte = 64 * 8, pixels_per_arithmetic_byte = 1 << 16;
+constexpr std::uint64_t pixels_per_huffman_byte = 64 * 8, pixels_per_arithmetic_byte = 1 << 16;
 /// A progressive file may scan a large picture many times over.
 constexpr int most_scans = 100;
 
 /// One run of libjpeg. Its errors come back by longjmp, so whatever needs a destructor lives here
 /// and not in the function that is jumped out of.
-struct Decoder {
+struct JpegDecoder {
   jpeg_decompress_struct jpeg{};
   jpeg_error_mgr errors{};
   std::jmp_buf on_error{};
   char why[JMSG_LENGTH_MAX] = "";
 
-  Decoder() {
+  JpegDecoder() {
     jpeg.err = jpeg_std_error(&errors);
     jpeg.client_data = this;
     errors.error_exit = [](j_common_ptr common) {
-      auto* self = static_cast<Decoder*>(common->client_data);
+      auto* self = static_cast<JpegDecoder*>(common->client_data);
       common->err->format_message(common, self->why);
       std::longjmp(self->on_error, 1);
     };
@@ -51,9 +51,9 @@ struct Decoder {
       if (is_damage) common->err->error_exit(common);
     };
   }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
-  ~Decoder() { jpeg_destroy_decompress(&jpeg); }
+  JpegDecoder(const JpegDecoder&) = delete;
+  JpegDecoder& operator=(const JpegDecoder&) = delete;
+  ~JpegDecoder() { jpeg_destroy_decompress(&jpeg); }
 
   bool read_header(std::string_view bytes) {
     if (setjmp(on_error) != 0) return false;
@@ -85,10 +85,11 @@ struct Decoder {
 }  // namespace
 
 Image decode_jpeg(std::string_view bytes, const std::string& name) {
-  Decoder decoder;
+  JpegDecoder decoder;
   if (!decoder.read_header(bytes)) fail_image(name, decoder.why);
   check_image_size(decoder.jpeg.image_width, decoder.jpeg.image_height, bytes.size(),
-                   decoder.jpeg.arith_code ? pixels_per_arithmetic_byte : pixels_per_byte, name);
+                   decoder.jpeg.arith_code ? pixels_per_arithmetic_byte : pixels_per_huffman_byte,
+                   name);
   Image image;
   image.width = static_cast<std::int32_t>(decoder.jpeg.image_width);
   image.height = static_cast<std::int32_t>(decoder.jpeg.image_height);

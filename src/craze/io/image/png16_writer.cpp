@@ -14,10 +14,8 @@ namespace craze {
 
 namespace {
 
-constexpr int rows_of_block = 32;
+constexpr int png_block_rows = 32;
 constexpr std::string_view zlib_header = "\x78\x01";
-/// Each row is its difference from the pixel on the left, which needs no other row.
-constexpr char filter_left = 1;
 constexpr int linear_gamma = 100000;  // gAMA: 1
 constexpr char perceptual_intent = 0;
 
@@ -41,7 +39,7 @@ class Png16 : public RowImage {
     file_.append(png_chunk("gAMA", gamma));
   }
 
-  int block_rows() const override { return rows_of_block; }
+  int block_rows() const override { return png_block_rows; }
 
   Block pack(int first, int count, const float* values) const override {
     const std::size_t pixel = 2 * static_cast<std::size_t>(format_.channels);
@@ -57,7 +55,7 @@ class Png16 : public RowImage {
         }
       }
       char* out = bytes.data() + row * static_cast<std::size_t>(y);
-      *out++ = filter_left;
+      *out++ = png_filter_left;
       for (std::size_t i = 0; i < plain.size(); ++i) {
         *out++ = static_cast<char>(plain[i] - (i < pixel ? 0 : plain[i - pixel]));
       }
@@ -69,7 +67,7 @@ class Png16 : public RowImage {
     checksum_ = adler_of_both(checksum_, block.checksum, block.unpacked);
     std::string data = first == 0 ? std::string(zlib_header) : std::string();
     data += block.bytes;
-    if (first + rows_of_block >= format_.height) put_big(data, checksum_);
+    if (first + png_block_rows >= format_.height) put_big(data, checksum_);
     file_.append(png_chunk("IDAT", data));
   }
 

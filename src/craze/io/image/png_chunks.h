@@ -11,6 +11,9 @@ namespace craze {
 
 inline constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
 
+/// Each row is its difference from the pixel on the left, which needs no other row.
+inline constexpr char png_filter_left = 1;
+
 /// The most significant byte first.
 inline void put_big(std::string& bytes, std::uint32_t x) {
   for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(x >> shift & 255);

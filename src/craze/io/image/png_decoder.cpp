@@ -22,11 +22,11 @@ namespace {
 
 constexpr png_alloc_size_t largest_chunk = 1 << 24;
 /// No stream of deflate packs more tightly, and a byte holds eight pixels of one bit.
-constexpr std::uint64_t pixels_per_byte = 8 * 1032;
+constexpr std::uint64_t pixels_per_deflated_byte = 8 * 1032;
 
 /// One run of libpng. Its errors come back by longjmp, so whatever needs a destructor lives here
 /// and not in the function that is jumped out of.
-struct Decoder {
+struct PngDecoder {
   std::string_view bytes;
   std::size_t position = 0;
   std::string why;
@@ -35,18 +35,18 @@ struct Decoder {
   png_uint_32 width = 0, height = 0;
   int channels = 0, depth = 0, passes = 0;
 
-  explicit Decoder(std::string_view b) : bytes(b) {}
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
-  ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+  explicit PngDecoder(std::string_view b) : bytes(b) {}
+  PngDecoder(const PngDecoder&) = delete;
+  PngDecoder& operator=(const PngDecoder&) = delete;
+  ~PngDecoder() { png_destroy_read_struct(&png, &info, nullptr); }
 
   static void on_error(png_structp png, png_const_charp message) {
-    static_cast<Decoder*>(png_get_error_ptr(png))->why = message;
+    static_cast<PngDecoder*>(png_get_error_ptr(png))->why = message;
     png_longjmp(png, 1);
   }
   static void on_warning(png_structp, png_const_charp) {}
   static void on_read(png_structp png, png_bytep to, std::size_t n) {
-    auto* self = static_cast<Decoder*>(png_get_io_ptr(png));
+    auto* self = static_cast<PngDecoder*>(png_get_io_ptr(png));
     if (n > self->bytes.size() - self->position) png_error(png, "the file ends too early");
     std::memcpy(to, self->bytes.data() + self->position, n);
     self->position += n;
@@ -92,13 +92,13 @@ void join_bytes(std::vector<std::uint16_t>& samples) {
 }  // namespace
 
 Image decode_png(std::string_view bytes, const std::string& name) {
-  Decoder decoder(bytes);
-  decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, Decoder::on_error,
-                                       Decoder::on_warning);
+  PngDecoder decoder(bytes);
+  decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, PngDecoder::on_error,
+                                       PngDecoder::on_warning);
   decoder.info = decoder.png ? png_create_info_struct(decoder.png) : nullptr;
   if (!decoder.info) fail_image(name, "out of memory");
   if (!decoder.read_header()) fail_image(name, decoder.why);
-  check_image_size(decoder.width, decoder.height, bytes.size(), pixels_per_byte, name);
+  check_image_size(decoder.width, decoder.height, bytes.size(), pixels_per_deflated_byte, name);
 
   Image image;
   image.width = static_cast<std::int32_t>(decoder.width);

@@ -12,21 +12,21 @@ namespace craze {
 
 namespace {
 
-constexpr std::size_t title_size = 80, header_size = 84, record_size = 50;
+constexpr std::size_t title_size = 80;
 constexpr std::uint16_t flag = 1u << 15;
 
 std::uint16_t attribute_of(const char* record) {
-  return load<std::uint16_t>(record + record_size - 2);
+  return load<std::uint16_t>(record + stl_record_size - 2);
 }
 
 /// The end of the last record if each is as much longer as it says; 0 where the file is too short
 /// for that.
 std::size_t end_of_counted_records(std::string_view bytes, std::size_t count) {
-  std::size_t at = header_size;
+  std::size_t at = stl_header_size;
   for (std::size_t i = 0; i < count; ++i) {
-    if (bytes.size() - at < record_size) return 0;
+    if (bytes.size() - at < stl_record_size) return 0;
     const std::size_t extra = attribute_of(bytes.data() + at);
-    at += record_size;
+    at += stl_record_size;
     if (bytes.size() - at < extra) return 0;
     at += extra;
   }
@@ -92,12 +92,12 @@ StlRecords find_stl_records(const MeshSource& source) {
   const std::string_view bytes = source.bytes;
   StlRecords records;
   records.count = load<std::uint32_t>(bytes.data() + title_size);
-  const std::size_t held = (bytes.size() - header_size) / record_size;
+  const std::size_t held = (bytes.size() - stl_header_size) / stl_record_size;
   if (records.count > held) {
     fail_input(source.name,
                fmt::format("it promises {} triangles but holds {}", records.count, held));
   }
-  records.unread = bytes.size() - header_size - record_size * records.count;
+  records.unread = bytes.size() - stl_header_size - stl_record_size * records.count;
   // Attribute bytes are believed only where they account for every byte of the file.
   if (records.unread > 0 && end_of_counted_records(bytes, records.count) == bytes.size()) {
     records.counts_attribute_bytes = true;
@@ -114,7 +114,7 @@ StlFacets read_binary_stl(const MeshSource& source) {
   facets.corners.reserve(3 * records.count);
   FaceColors colors(source.bytes);
   std::size_t attribute_bytes = 0;
-  const char* record = source.bytes.data() + header_size;
+  const char* record = source.bytes.data() + stl_header_size;
   for (std::size_t f = 0; f < records.count; ++f) {
     meter.at(f);
     const char* p = record + 12;  // after the normal
@@ -125,7 +125,7 @@ StlFacets read_binary_stl(const MeshSource& source) {
       }
     }
     const std::uint16_t attribute = attribute_of(record);
-    record += record_size;
+    record += stl_record_size;
     if (records.counts_attribute_bytes) {
       record += attribute;
       attribute_bytes += attribute;

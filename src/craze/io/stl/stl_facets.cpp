@@ -8,11 +8,9 @@ namespace craze {
 
 namespace {
 
-constexpr std::size_t header_size = 84, record_size = 50;
-
 bool fits_binary(std::string_view bytes) {
-  return bytes.size() >= header_size &&
-         bytes.size() == header_size + record_size * load<std::uint32_t>(bytes.data() + 80);
+  return bytes.size() >= stl_header_size &&
+         bytes.size() == stl_header_size + stl_record_size * load<std::uint32_t>(bytes.data() + 80);
 }
 
 /// Begins with "solid" and holds no zero byte where a binary file's count would be: text has none,
@@ -23,7 +21,7 @@ bool is_ascii(std::string_view bytes) {
   for (std::size_t i = 0; i < 5; ++i) {
     if ((bytes[start + i] | 0x20) != "solid"[i]) return false;
   }
-  return bytes.substr(0, header_size).find('\0') == std::string_view::npos;
+  return bytes.substr(0, stl_header_size).find('\0') == std::string_view::npos;
 }
 
 }  // namespace
@@ -34,7 +32,7 @@ bool is_stl(std::string_view bytes) {
 
 StlFacets read_stl_facets(const MeshSource& source) {
   if (!fits_binary(source.bytes) && is_ascii(source.bytes)) return read_ascii_stl(source);
-  if (source.bytes.size() < header_size) {
+  if (source.bytes.size() < stl_header_size) {
     fail_input(source.name, "it is neither ascii STL (no 'solid') nor long enough for binary STL");
   }
   return read_binary_stl(source);

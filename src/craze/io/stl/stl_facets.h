@@ -24,6 +24,9 @@ inline constexpr std::string_view own_title = "binary STL by craze";
 /// Ascii or binary, by content: a binary file may well begin with "solid". Throws Error(input).
 StlFacets read_stl_facets(const MeshSource& source);
 
+/// Bytes of a binary file's start, its count of triangles included, and of a triangle's record.
+inline constexpr std::size_t stl_header_size = 84, stl_record_size = 50;
+
 /// Where the records of a binary file lie, and what their last two bytes mean.
 struct StlRecords {
   std::size_t count = 0;

@@ -16,9 +16,9 @@ namespace {
 
 /// The colours of faces, red, green and blue in 0 … 255, as VisCAM and SolidView have them: five
 /// bits each.
-class FaceColors {
+class WrittenColors {
  public:
-  explicit FaceColors(const SurfaceMesh& mesh) {
+  explicit WrittenColors(const SurfaceMesh& mesh) {
     const char* names[] = {"red", "green", "blue"};
     for (int c = 0; c < 3; ++c) {
       const Attribute* a = find_attribute(mesh.face_attributes, names[c]);
@@ -52,7 +52,7 @@ void write_stl(const SurfaceMesh& mesh, const MeshFileOptions& options, ByteSink
   bytes.assign(80, '\0');
   bytes.replace(0, own_title.size(), own_title);
   append(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
-  const FaceColors colors(mesh);
+  const WrittenColors colors(mesh);
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     meter.at(f);
     for (const float x : to_floats(face_normal(mesh, f), "STL")) append(bytes, x);

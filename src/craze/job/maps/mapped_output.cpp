@@ -109,11 +109,11 @@ int largest_side(const SurfacePictures& pictures) {
 }
 
 /// Hands the maps of each material to its pictures.
-class MaterialMaps : public MapSink {
+class MaterialMapSink : public MapSink {
  public:
   /// uvs: of a kept scene; null: all pictures lie in the UVs of the maps. All must outlive this.
-  MaterialMaps(const MappedScene& scene, const SceneUvs* uvs, const CrackStain& stain,
-               const Warn& warn, const Context& context)
+  MaterialMapSink(const MappedScene& scene, const SceneUvs* uvs, const CrackStain& stain,
+                  const Warn& warn, const Context& context)
       : materials_(scene.materials), uvs_(uvs), stain_(stain), warn_(warn), context_(context) {
     for (const auto& [own, documents] : scene.materials) {
       MaterialPictures& pictures =
@@ -230,7 +230,7 @@ MeshCounts write_mapped(const Result& result, const SceneUvs* uvs,
   const MappedScene mapped = uvs ? mapped_scene(*uvs) : mapped_scene(surface, scene, warn, context);
   CrackStain stain = output.stain;
   stain.late = output.post.late_width;
-  MaterialMaps maps(mapped, uvs, stain, warn, context);
+  MaterialMapSink maps(mapped, uvs, stain, warn, context);
   MapOptions options;
   options.size = std::clamp(maps.largest_picture(), output.size, MapOptions::largest_size);
   options.maps = CrackPictures::maps();

@@ -9,7 +9,7 @@ namespace craze {
 
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t slots_at_once = 1024;
 
 // A place on the source: a face and barycentric coordinates in it.
 struct Place {
@@ -59,7 +59,7 @@ class Transfer {
 
   void find_faces() {
     face_.resize(slots_.size());
-    reporting_loop(context_, "remesh", slots_.size(), grain,
+    reporting_loop(context_, "remesh", slots_.size(), slots_at_once,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t f = begin; f < end; ++f) {
                        const std::int32_t near = source_.near[mesh_.triangle(slots_[f])[0]];
@@ -138,7 +138,7 @@ class Transfer {
       const std::int32_t v = made_.triangles[c / 3][c % 3];
       return on_line[v] || first[v] == static_cast<std::int32_t>(c);
     };
-    reporting_loop(context_, "remesh", slots_.size(), grain,
+    reporting_loop(context_, "remesh", slots_.size(), slots_at_once,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t f = begin; f < end; ++f) {
                        for (int i = 0; i < 3; ++i) {

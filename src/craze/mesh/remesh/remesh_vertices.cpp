@@ -8,7 +8,7 @@ namespace craze {
 
 namespace {
 
-constexpr std::size_t grain = 512;
+constexpr std::size_t moves_at_once = 512;
 // Of a step along the surface: how far from it a walk may end that has not lost its way.
 constexpr double trusted_walk = 0.5;
 
@@ -73,11 +73,12 @@ bool keeps_star(const RemeshSurface& s, std::int32_t v, const Vec3& to, double l
 void smooth(RemeshSurface& s, double shaken) {
   std::vector<Move> moves(s.mesh.vertex_count());
   const Context& stage = s.progress.stage();
-  reporting_loop(stage, "remesh", moves.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      moves[v] = find_move(s, static_cast<std::int32_t>(v), shaken);
-    }
-  });
+  reporting_loop(stage, "remesh", moves.size(), moves_at_once,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t v = begin; v < end; ++v) {
+                     moves[v] = find_move(s, static_cast<std::int32_t>(v), shaken);
+                   }
+                 });
   for (std::int32_t v = 0; v < s.mesh.vertex_count(); ++v) {
     const Move& m = moves[v];
     s.step();
@@ -101,17 +102,18 @@ std::vector<std::int32_t> pull_vertices(RemeshSurface& s) {
   std::vector<Move> moves(s.mesh.vertex_count());
   const double enough = 1e-3 * s.max_distance;
   const Context& stage = s.progress.stage();
-  reporting_loop(stage, "remesh", moves.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto v = static_cast<std::int32_t>(i);
-      if (!s.mesh.is_vertex(v) || s.mesh.count_marked(v) > 0) continue;
-      const auto hit =
-          s.walk.find(s.mesh.position(v), {Vec3::Zero(), -1, s.near[v], enough}, enough);
-      moves[v].to = hit.point;
-      moves[v].face = hit.face;
-      moves[v].wanted = hit.distance > enough;
-    }
-  });
+  reporting_loop(
+      stage, "remesh", moves.size(), moves_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const auto v = static_cast<std::int32_t>(i);
+          if (!s.mesh.is_vertex(v) || s.mesh.count_marked(v) > 0) continue;
+          const auto hit =
+              s.walk.find(s.mesh.position(v), {Vec3::Zero(), -1, s.near[v], enough}, enough);
+          moves[v].to = hit.point;
+          moves[v].face = hit.face;
+          moves[v].wanted = hit.distance > enough;
+        }
+      });
   std::vector<std::int32_t> moved;
   for (std::int32_t v = 0; v < static_cast<std::int32_t>(moves.size()); ++v) {
     s.step();

@@ -10,7 +10,7 @@ namespace craze {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int curve_points = 400;  // per stretch: a chord then misses a half circle by 8e-6 radii
 
 // One ring of vertices: `count` of them from `first` on, at angles phase + 2π k / count.

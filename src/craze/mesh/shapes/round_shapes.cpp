@@ -13,7 +13,7 @@ namespace craze {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The corners of an icosahedron with one at each pole, and its sides, outward.
 std::array<Vec3, 12> icosahedron_corners() {

@@ -13,6 +13,7 @@ class ElementBlocks {
  public:
   static constexpr std::int32_t elements_per_block = 256;
   static constexpr std::int32_t nodes_per_block = 128;
+  static constexpr std::size_t blocks_per_chunk = 16;  ///< what a thread takes at once
 
   explicit ElementBlocks(const TriangleMesh& mesh);
 

@@ -40,7 +40,6 @@ CRAZE_WIDE void take_changes(Vec4d* forces, double* drift, Vec4d* force_change, 
   }
 }
 
-constexpr std::size_t blocks_per_chunk = 16;
 // Rounding is put right after as many Euler steps.
 constexpr double most_euler_steps = 64;
 // The bound on the stiffness creeps up with every sliver that a cut makes; this much room saves
@@ -157,24 +156,27 @@ void EulerRelaxation::move_nodes(const StressField& field, double time_step,
                                  const Threads& threads) {
   const auto nodes = static_cast<std::int32_t>(moves_.size());
   const double rest = options_.rest_force * options_.rest_force;
-  parallel_for(threads, block_force_.size(), blocks_per_chunk, [&](std::size_t b, std::size_t e) {
-    for (std::size_t block = b; block < e; ++block) {
-      const auto begin = static_cast<std::int32_t>(block) * ElementBlocks::nodes_per_block;
-      const auto end = std::min(nodes, begin + ElementBlocks::nodes_per_block);
-      double largest = 0;
-      for (std::int32_t v = begin; v < end; ++v) {
-        const Vec4d::Lanes force = field.forces()[v].v - options_.adhesion * field.node_areas()[v] *
-                                                             field.displacements()[v].v;
-        const double squared = force[0] * force[0] + force[1] * force[1] + force[2] * force[2];
-        const bool moves = squared > rest && held_[v] == 0;
-        largest = std::max(largest, moves ? squared : 0.0);
-        // [IO06 Eq. 3] Δp = Δt F
-        moves_[v].v = (moves ? time_step : 0.0) * vector_part * force;
-      }
-      block_force_[block] = largest;
-      moving_[block] = largest > 0 ? 1 : 0;
-    }
-  });
+  parallel_for(
+      threads, block_force_.size(), ElementBlocks::blocks_per_chunk,
+      [&](std::size_t b, std::size_t e) {
+        for (std::size_t block = b; block < e; ++block) {
+          const auto begin = static_cast<std::int32_t>(block) * ElementBlocks::nodes_per_block;
+          const auto end = std::min(nodes, begin + ElementBlocks::nodes_per_block);
+          double largest = 0;
+          for (std::int32_t v = begin; v < end; ++v) {
+            const Vec4d::Lanes force = field.forces()[v].v - options_.adhesion *
+                                                                 field.node_areas()[v] *
+                                                                 field.displacements()[v].v;
+            const double squared = force[0] * force[0] + force[1] * force[1] + force[2] * force[2];
+            const bool moves = squared > rest && held_[v] == 0;
+            largest = std::max(largest, moves ? squared : 0.0);
+            // [IO06 Eq. 3] Δp = Δt F
+            moves_[v].v = (moves ? time_step : 0.0) * vector_part * force;
+          }
+          block_force_[block] = largest;
+          moving_[block] = largest > 0 ? 1 : 0;
+        }
+      });
   largest_force_ = 0;
   for (const double f : block_force_) largest_force_ = std::max(largest_force_, f);
   largest_force_ = std::sqrt(largest_force_);
@@ -199,18 +201,19 @@ void EulerRelaxation::apply_moves(StressField& field, const TriangleMesh& mesh,
   const auto nodes = static_cast<std::int32_t>(moves_.size());
   Vec4d* const forces = field.forces().data();
   Vec4d* const displacements = field.displacements().data();
-  parallel_for(threads, moving_.size(), blocks_per_chunk, [&](std::size_t b, std::size_t e) {
-    for (std::size_t block = b; block < e; ++block) {
-      const auto begin = static_cast<std::int32_t>(block) * ElementBlocks::nodes_per_block;
-      const auto end = std::min(nodes, begin + ElementBlocks::nodes_per_block);
-      for (int lane = 0; lane < ActiveElements::lanes; ++lane) {
-        if ((active_.touched(block) >> lane & 1) == 0) continue;
-        take_changes(forces, drift_.data(), changes_[lane].data(), begin, end);
-      }
-      if (moving_[block] == 0) continue;
-      for (std::int32_t v = begin; v < end; ++v) displacements[v].v += moves_[v].v;
-    }
-  });
+  parallel_for(
+      threads, moving_.size(), ElementBlocks::blocks_per_chunk, [&](std::size_t b, std::size_t e) {
+        for (std::size_t block = b; block < e; ++block) {
+          const auto begin = static_cast<std::int32_t>(block) * ElementBlocks::nodes_per_block;
+          const auto end = std::min(nodes, begin + ElementBlocks::nodes_per_block);
+          for (int lane = 0; lane < ActiveElements::lanes; ++lane) {
+            if ((active_.touched(block) >> lane & 1) == 0) continue;
+            take_changes(forces, drift_.data(), changes_[lane].data(), begin, end);
+          }
+          if (moving_[block] == 0) continue;
+          for (std::int32_t v = begin; v < end; ++v) displacements[v].v += moves_[v].v;
+        }
+      });
 }
 
 }  // namespace craze

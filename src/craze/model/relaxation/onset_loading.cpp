@@ -15,7 +15,7 @@ namespace {
 constexpr double shortest_step = 0.005, longest_step = 0.05;
 constexpr double most_steps = 1e5;
 // Faces times steps: each of them is asked at each step whether it is on its way.
-constexpr double most_work = 2e10;
+constexpr double most_node_steps = 2e10;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ OnsetLoading::OnsetLoading(const EvolutionParameters& parameters, InitialLoad in
   starts_.erase(std::unique(starts_.begin(), starts_.end()), starts_.end());
   last_ = starts_.empty() ? 0 : std::min(max_load_, starts_.back() + most_load_);
   const double steps = steps_in_all();
-  if (steps <= most_steps && steps * static_cast<double>(onset_.size()) <= most_work) return;
+  if (steps <= most_steps && steps * static_cast<double>(onset_.size()) <= most_node_steps) return;
   std::ostringstream why;
   why << steps << " steps of load on " << onset_.size()
       << " triangles would take hours; give less, or less evolution.place_load";

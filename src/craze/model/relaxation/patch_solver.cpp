@@ -13,7 +13,7 @@ namespace {
 constexpr std::int32_t fixed_node = -2;
 
 // Nodes are asked for this many before they are read.
-constexpr std::int32_t ahead = 8;
+constexpr std::int32_t rows_ahead = 8;
 
 using Lanes = Vec8f::Lanes;
 
@@ -147,7 +147,7 @@ void PatchSolver::read_residuals(const Task& task) {
   r_.resize(2 * i);
   for (; i < answer_.nodes.size(); ++i) {
     const std::int32_t v = answer_.nodes[i], owner = task.seed_patch[v];
-    if (i + ahead < answer_.nodes.size()) task.layer.prefetch(answer_.nodes[i + ahead]);
+    if (i + rows_ahead < answer_.nodes.size()) task.layer.prefetch(answer_.nodes[i + rows_ahead]);
     if (owner != task.patch && (owner >= 0 || !task.takes_all)) {
       r_.insert(r_.end(), 2, 0.0F);
       continue;
@@ -175,7 +175,7 @@ void PatchSolver::load_rows(const Task& task) {
   const auto end = static_cast<std::int32_t>(answer_.nodes.size());
   make_room(static_cast<std::size_t>(end - loaded_));
   for (std::int32_t i = loaded_; i < end; ++i) {
-    if (i + ahead < end) task.layer.stiffness.prefetch(answer_.nodes[i + ahead]);
+    if (i + rows_ahead < end) task.layer.stiffness.prefetch(answer_.nodes[i + rows_ahead]);
     const TangentStiffness::Row row = task.layer.stiffness.row(answer_.nodes[i]);
     for (std::int32_t k = 0; k < row.count; ++k) {
       const std::int32_t n = row.columns[k];

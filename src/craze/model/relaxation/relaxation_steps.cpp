@@ -8,8 +8,6 @@ namespace craze {
 
 namespace {
 
-constexpr std::size_t blocks_per_chunk = 16;
-
 struct NodeArrays {
   Vec4f* forces;
   Vec4f* steps;
@@ -53,7 +51,7 @@ CRAZE_WIDE bool step_nodes(const NodeArrays& nodes, std::int32_t begin, std::int
 template <class Body>
 void for_node_blocks(const Threads& threads, std::size_t nodes, const Body& body) {
   constexpr std::size_t size = ElementBlocks::nodes_per_block;
-  parallel_for(threads, (nodes + size - 1) / size, blocks_per_chunk,
+  parallel_for(threads, (nodes + size - 1) / size, ElementBlocks::blocks_per_chunk,
                [&](std::size_t first, std::size_t last) {
                  for (std::size_t block = first; block < last; ++block) {
                    body(block, static_cast<std::int32_t>(block * size),

@@ -9,10 +9,10 @@ namespace craze {
 
 namespace {
 
-constexpr double rounding = 1e-6;
+constexpr double slack = 1e-6;
 
 bool is_share(double x) {
-  return x >= -rounding && x <= 1 + rounding;
+  return x >= -slack && x <= 1 + slack;
 }
 
 }  // namespace

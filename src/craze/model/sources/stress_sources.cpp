@@ -20,11 +20,11 @@ constexpr std::uint64_t stress_noise_stream = 1;
 
 // Triangles times impacts: each impact's distances are measured over the whole surface, a million
 // triangles in about a second.
-constexpr double most_work = 1e9;
+constexpr double most_impact_faces = 1e9;
 
 void check_work(std::size_t impacts, std::int32_t faces) {
-  if (static_cast<double>(impacts) * faces <= most_work) return;
-  const auto most = static_cast<std::int64_t>(most_work / faces);
+  if (static_cast<double>(impacts) * faces <= most_impact_faces) return;
+  const auto most = static_cast<std::int64_t>(most_impact_faces / faces);
   throw Error(ErrorKind::request, "too many impacts", "impact",
               std::to_string(impacts) + " of them on " + std::to_string(faces) +
                   " triangles take hours; give at most " + std::to_string(most) +

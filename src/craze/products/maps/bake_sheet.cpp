@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "craze/base/parallel.h"
+#include "craze/products/maps/rows_at_once.h"
 #include "craze/products/maps/texel_owners.h"
 
 namespace craze {
@@ -11,7 +12,6 @@ namespace craze {
 namespace {
 
 constexpr int band_rows = 128;
-constexpr std::size_t rows_at_once = 4;
 static_assert(band_rows % 16 == 0);
 
 struct Texel {

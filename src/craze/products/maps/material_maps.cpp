@@ -6,12 +6,12 @@
 #include "craze/base/elementary.h"
 #include "craze/base/parallel.h"
 #include "craze/base/random.h"
+#include "craze/products/maps/rows_at_once.h"
 
 namespace craze {
 
 namespace {
 
-constexpr std::size_t rows_at_once = 4;
 constexpr std::int32_t cloud_cells = 5;  // of the widest clouds, a side
 constexpr int cloud_octaves = 8;
 constexpr double piece_tint = 0.16;  // as pictures have it: render/surface.cpp

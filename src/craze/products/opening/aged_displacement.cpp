@@ -18,7 +18,7 @@ namespace {
 constexpr double far_reach = 3;
 
 /// The vertices on one site, and which cracks they lie on.
-struct Site {
+struct WearSite {
   std::vector<std::int32_t> vertices;
   std::map<std::int32_t, std::vector<std::size_t>> cracks;  ///< by label: indices into vertices
 
@@ -30,11 +30,11 @@ struct Site {
   }
 };
 
-std::vector<Site> sites_with_cracks(const TriangleMesh& mesh, const CrackSites& sites) {
-  std::vector<Site> result(sites.vertex.size());
+std::vector<WearSite> sites_with_cracks(const TriangleMesh& mesh, const CrackSites& sites) {
+  std::vector<WearSite> result(sites.vertex.size());
   for (const std::int32_t h : sites.sides) {
     for (const std::int32_t v : {mesh.from(h), mesh.to(h)}) {
-      Site& site = result[sites.site_of[v]];
+      WearSite& site = result[sites.site_of[v]];
       site.cracks[mesh.crack_of(h)].push_back(site.place_of(v));
     }
   }
@@ -44,7 +44,7 @@ std::vector<Site> sites_with_cracks(const TriangleMesh& mesh, const CrackSites& 
 /// Moves the vertices of one site, and gives the factor of them together.
 class SiteMover {
  public:
-  SiteMover(const Site& site, const std::vector<Vec3>& displacement)
+  SiteMover(const WearSite& site, const std::vector<Vec3>& displacement)
       : group_(site.vertices.size()) {
     std::iota(group_.begin(), group_.end(), 0);
     for (const std::int32_t v : site.vertices) {
@@ -90,7 +90,7 @@ std::vector<Vec3> aged_displacement(const TriangleMesh& mesh, const CrackSites& 
   std::vector<Vec3> aged = displacement;
   std::vector<std::uint8_t> known(aged.size(), 0);
   std::vector<double> less(aged.size(), 0);  // 1 − factor
-  for (const Site& site : sites_with_cracks(mesh, sites)) {
+  for (const WearSite& site : sites_with_cracks(mesh, sites)) {
     std::vector<std::array<double, 2>> by_factor;  // of the cracks here, and their labels
     for (const auto& crack : site.cracks) {
       by_factor.push_back(

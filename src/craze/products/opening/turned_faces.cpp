@@ -9,7 +9,7 @@ namespace craze {
 
 namespace {
 
-constexpr int rounds = 10;             // in each, faces beside those that move as one may join them
+constexpr int joining_rounds = 10;     // in each, faces beside those that move as one may join them
 constexpr int faces_per_turned = 20;   // more turn: it is not about needles
 constexpr double one_surface = 0.906;  // cosine of 25 degrees
 
@@ -77,7 +77,7 @@ std::vector<Vec3> needles_moved_as_one(const TriangleMesh& mesh, std::vector<Vec
     return v;
   };
   std::vector<Vec3> together = shift;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < joining_rounds; ++round) {
     std::vector<Vec3> positions = mesh.positions();
     for (std::size_t v = 0; v < before.size(); ++v) positions[v] += before[v];
     for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += together[v];

@@ -10,7 +10,7 @@ namespace craze {
 
 namespace {
 
-constexpr std::size_t most_components = 16, float_type = 5126;
+constexpr std::size_t most_components = 16;
 /// How far weights of 8 bits may add up beside 1.
 constexpr double rounded_sum = 0.01;
 

@@ -8,7 +8,7 @@ namespace craze {
 
 namespace {
 
-constexpr int lines_mode = 1, triangles_mode = 4;
+constexpr int triangles_mode = 4;
 /// Half the width of a band over the lift of a line: about half a pixel where the object fills a
 /// picture.
 constexpr double half_width = 3;
@@ -82,10 +82,6 @@ void animate_as(std::size_t node, std::size_t lines, Json& root) {
     }
     for (Json& copy : copies) animation["channels"].push_back(std::move(copy));
   }
-}
-
-std::size_t target_count(const Json& primitive) {
-  return primitive.contains("targets") ? primitive["targets"].size() : 0;
 }
 
 /// The weights of the first targets, which the part has of its own.

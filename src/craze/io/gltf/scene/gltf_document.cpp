@@ -8,8 +8,6 @@ namespace craze {
 
 namespace {
 
-const std::string unnamed = "the scene";  // the document, for messages
-
 /// The names of the objects in one of the document's lists.
 SceneContent named(const Json& root, const char* list, const char* kind) {
   SceneContent content{kind, {}};
@@ -142,7 +140,7 @@ std::size_t GltfDocument::part_of(std::int32_t face) const {
 
 int GltfDocument::color_bits() const {
   int bits = 0;
-  const GltfJson json(unnamed);
+  const GltfJson json(document_name);
   for (const Json& mesh : json.array(root_, "meshes")) {
     for (const Json& primitive : json.array(mesh, "primitives")) {
       const auto attributes = primitive.find("attributes");
@@ -158,7 +156,7 @@ int GltfDocument::color_bits() const {
 }
 
 std::vector<OtherName> GltfDocument::other_names() const {
-  const GltfJson json(unnamed);
+  const GltfJson json(document_name);
   const Json& nodes = json.array(root_, "nodes");
   std::vector<std::size_t> parent(nodes.size(), nodes.size());
   for (std::size_t n = 0; n < nodes.size(); ++n) {

@@ -16,6 +16,11 @@
 
 namespace craze {
 
+/// The document in messages.
+inline const std::string document_name = "the scene";
+/// Bytes between which any element may start.
+inline constexpr std::size_t element_alignment = 16;
+
 /// The triangles of one primitive, shown by one node (or one instance of it).
 struct GltfPart {
   std::int32_t first_face = 0, end_face = 0;  ///< of the mesh that was read

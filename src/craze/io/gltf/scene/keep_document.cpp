@@ -17,10 +17,10 @@ namespace craze {
 namespace {
 
 /// What any element of a buffer may be aligned to.
-constexpr std::size_t alignment = 16;
 
 void pad(std::string& bytes) {
-  bytes.resize((bytes.size() + alignment - 1) / alignment * alignment, '\0');
+  bytes.resize((bytes.size() + element_alignment - 1) / element_alignment * element_alignment,
+               '\0');
 }
 
 /// "clay" for "textures/clay.png".

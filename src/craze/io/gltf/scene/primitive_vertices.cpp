@@ -8,8 +8,6 @@ namespace craze {
 
 namespace {
 
-constexpr std::size_t float_type = 5126;
-
 Vec3 vector(const GltfElements& elements, std::size_t i) {
   return {elements.value(i, 0), elements.value(i, 1), elements.value(i, 2)};
 }

@@ -10,6 +10,7 @@
 #include "craze/io/gltf/first_uvs.h"
 #include "craze/io/gltf/glb_mesh.h"
 #include "craze/io/gltf/gltf_nodes.h"
+#include "craze/io/gltf/gltf_primitive.h"
 #include "craze/io/gltf/growth_clip.h"
 #include "craze/io/gltf/line_lifts.h"
 #include "craze/io/gltf/scene/scene_materials.h"
@@ -28,7 +29,6 @@ namespace craze {
 
 namespace {
 
-constexpr int lines_mode = 1;
 const Json bounded{{"min", 0}};
 
 Json to_json(const Vec3& p) {

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <map>
 
+#include "craze/io/gltf/gltf_primitive.h"
 #include "craze/io/gltf/growth_clip.h"
 #include "craze/io/gltf/scene/weight_channels.h"
 
 namespace craze {
 
 namespace {
-
-std::size_t target_count(const Json& primitive) {
-  const auto targets = primitive.find("targets");
-  return targets == primitive.end() ? 0 : targets->size();
-}
 
 /// The default weights of n targets; those that are not given are 0.
 std::vector<float> default_weights(const Json& holder, std::size_t n) {

@@ -13,7 +13,6 @@ namespace craze {
 
 namespace {
 
-constexpr std::size_t alignment = 16;  ///< of any element
 constexpr int array_buffer = 34962, element_array_buffer = 34963;
 
 const char* type_name(std::size_t components) {
@@ -253,8 +252,8 @@ std::vector<SceneOutput::Range> SceneOutput::unused_ranges(
   for (const Range& range : merged(std::move(unused))) {
     std::size_t at = range.begin;
     const auto add_up_to = [&](std::size_t end) {
-      const std::size_t from = (at + alignment - 1) / alignment * alignment;
-      const std::size_t to = end / alignment * alignment;
+      const std::size_t from = (at + element_alignment - 1) / element_alignment * element_alignment;
+      const std::size_t to = end / element_alignment * element_alignment;
       if (from < to) result.push_back({from, to});
     };
     while (k != kept.end() && k->end <= range.begin) ++k;
@@ -295,7 +294,8 @@ void SceneOutput::reuse_views() {
     if (shift > 0) views[v]["byteOffset"] = begin - shift;
   }
   for (std::size_t i = 0; i < added_bytes_.size(); ++i) {
-    bytes.resize((bytes.size() + alignment - 1) / alignment * alignment, '\0');
+    bytes.resize((bytes.size() + element_alignment - 1) / element_alignment * element_alignment,
+                 '\0');
     views[old_views_ + i]["byteOffset"] = bytes.size();
     bytes += added_bytes_[i];
   }

@@ -18,8 +18,6 @@ namespace craze {
 
 namespace {
 
-const std::string unnamed = "the scene";  // the document, for messages
-
 enum Slot { base_color, normal, occlusion, roughness, slots };
 
 struct SlotPlace {
@@ -66,7 +64,7 @@ const Json* item(const Json& root, const char* list, std::optional<std::size_t> 
 /// The UV set that a reference to a texture reads.
 std::size_t uv_set_of(const Json& reference) {
   const std::size_t set = index(&reference, "texCoord").value_or(0);
-  const Json* moved = GltfJson(unnamed).extension(reference, "KHR_texture_transform");
+  const Json* moved = GltfJson(document_name).extension(reference, "KHR_texture_transform");
   return index(moved, "texCoord").value_or(set);
 }
 
@@ -76,8 +74,8 @@ SurfacePicture read_picture(const GltfDocument& document, const Json& reference)
     throw Error(ErrorKind::request, "cannot use picture", "texture", why);
   };
   SurfacePicture picture;
-  const Json* moved = GltfJson(unnamed).extension(reference, "KHR_texture_transform");
-  if (moved) picture.place = texture_place(*moved, GltfJson(unnamed));
+  const Json* moved = GltfJson(document_name).extension(reference, "KHR_texture_transform");
+  if (moved) picture.place = texture_place(*moved, GltfJson(document_name));
   picture.uv_set = uv_set_of(reference);
   const Json& root = document.root();
   const Json* texture = item(root, "textures", index(&reference, "index"));

@@ -6,12 +6,12 @@
 #include "craze/base/parallel.h"
 #include "craze/base/srgb.h"
 #include "craze/products/maps/pictures/sample_picture.h"
+#include "craze/products/maps/rows_at_once.h"
 
 namespace craze {
 
 namespace {
 
-constexpr std::size_t rows_at_once = 4;
 constexpr double flattest = 1e-3;  // z of a normal that slopes are told from
 
 std::uint8_t eighth(double x) {

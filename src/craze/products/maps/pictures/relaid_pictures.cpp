@@ -11,13 +11,13 @@
 #include "craze/products/maps/groove_sampler.h"
 #include "craze/products/maps/map_faces.h"
 #include "craze/products/maps/pictures/sample_picture.h"
+#include "craze/products/maps/rows_at_once.h"
 #include "craze/products/maps/texel_owners.h"
 
 namespace craze {
 
 namespace {
 
-constexpr std::size_t rows_at_once = 4;
 constexpr int most_samples = 8;  // of a texel, along each side
 
 /// What the numbers of a picture are.

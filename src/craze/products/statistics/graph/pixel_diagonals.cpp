@@ -7,7 +7,7 @@ namespace craze {
 
 namespace {
 
-constexpr double same = 1e-6;  // relative
+constexpr double tolerance = 1e-6;  // relative
 
 /// The other ends of each point's shortest edges, ascending.
 using Steps = std::vector<std::vector<std::int32_t>>;
@@ -35,14 +35,14 @@ void drop_pixel_diagonals(CrackGraphInput& graph) {
   for (const GraphInputEdge& e : graph.edges) pixel = std::min(pixel, length(e));
   Steps steps(graph.points.size());
   for (const GraphInputEdge& e : graph.edges) {
-    if (length(e) > (1 + same) * pixel) continue;
+    if (length(e) > (1 + tolerance) * pixel) continue;
     steps[e.a].push_back(e.b);
     steps[e.b].push_back(e.a);
   }
   for (auto& ends : steps) std::sort(ends.begin(), ends.end());
   const double diagonal = std::sqrt(2.0) * pixel;
   std::erase_if(graph.edges, [&](const GraphInputEdge& e) {
-    const bool is_diagonal = std::abs(length(e) - diagonal) <= same * diagonal;
+    const bool is_diagonal = std::abs(length(e) - diagonal) <= tolerance * diagonal;
     return is_diagonal && !e.border && std::isnan(e.time) && share_a_neighbour(steps, e.a, e.b);
   });
 }

@@ -12,7 +12,7 @@
 namespace craze {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Line {
   double length = 0, angle = 0;

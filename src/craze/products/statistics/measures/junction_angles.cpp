@@ -11,7 +11,7 @@
 namespace craze {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double wrap(double angle) {
   angle = std::fmod(angle, 2 * pi);

@@ -13,19 +13,19 @@ namespace {
 constexpr double margin = 4;  // a cell of the window has no neighbour farther out
 
 /// A corner of a cell, and the site across the side that leaves it; −1: none, the outer box.
-struct Corner {
+struct CellCorner {
   Vec2 p;
   std::int32_t across;
 };
 
 /// Keeps the side of the bisector of p and q that holds p.
-void clip(std::vector<Corner>& cell, const Vec2& p, const Vec2& q, std::int32_t across) {
+void clip(std::vector<CellCorner>& cell, const Vec2& p, const Vec2& q, std::int32_t across) {
   const Vec2 normal = q - p, middle = (p + q) / 2;
-  const auto outside = [&](const Corner& c) { return normal.dot(c.p - middle); };
-  std::vector<Corner> kept;
+  const auto outside = [&](const CellCorner& c) { return normal.dot(c.p - middle); };
+  std::vector<CellCorner> kept;
   for (std::size_t i = 0; i < cell.size(); ++i) {
-    const Corner& a = cell[i];
-    const Corner& b = cell[(i + 1) % cell.size()];
+    const CellCorner& a = cell[i];
+    const CellCorner& b = cell[(i + 1) % cell.size()];
     const double da = outside(a), db = outside(b);
     if (da <= 0) kept.push_back(a);
     if ((da <= 0) == (db <= 0)) continue;
@@ -56,10 +56,10 @@ class Sites {
 
   const std::vector<Vec2>& points() const { return points_; }
 
-  std::vector<Corner> cell(std::int32_t i) const {
+  std::vector<CellCorner> cell(std::int32_t i) const {
     const Vec2 p = points_[i];
     const double low = -margin, high = width_ - margin;
-    std::vector<Corner> cell{
+    std::vector<CellCorner> cell{
         {{low, low}, -1}, {{high, low}, -1}, {{high, high}, -1}, {{low, high}, -1}};
     const auto x = static_cast<std::int32_t>(p.x() + margin);
     const auto y = static_cast<std::int32_t>(p.y() + margin);
@@ -67,7 +67,7 @@ class Sites {
     // the farthest corner cut the cell.
     for (std::int32_t r = 0; r <= width_; ++r) {
       double reach = 0;
-      for (const Corner& c : cell) reach = std::max(reach, (c.p - p).norm());
+      for (const CellCorner& c : cell) reach = std::max(reach, (c.p - p).norm());
       if (r - 1 > 2 * reach) break;
       for (std::int32_t v = y - r; v <= y + r; ++v) {
         const std::int32_t step = v == y - r || v == y + r ? 1 : std::max(1, 2 * r);
@@ -95,7 +95,7 @@ CrackNetwork voronoi_network(double side, std::uint64_t seed) {
   const Sites sites(side, random);
   ClippedNetwork network(side);
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(sites.points().size()); ++i) {
-    const std::vector<Corner> cell = sites.cell(i);
+    const std::vector<CellCorner> cell = sites.cell(i);
     const std::size_t n = cell.size();
     // A corner is named by the three sites around it.
     const auto key = [&](std::size_t k) {

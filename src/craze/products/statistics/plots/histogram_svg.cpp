@@ -7,14 +7,9 @@
 
 namespace craze {
 
-namespace {
-
-constexpr double width = 480, height = 320;
-constexpr double left = 56, right = 16, top = 40, bottom = 48;
-
-}  // namespace
-
 std::string histogram_svg(const std::vector<double>& values, const Histogram& layout) {
+  constexpr double width = 480, height = 320;
+  constexpr double left = 56, right = 16, top = 40, bottom = 48;
   std::vector<double> share(layout.bins, 0.0);
   const double bin = (layout.high - layout.low) / layout.bins;
   for (const double v : values) {

@@ -17,8 +17,6 @@ namespace craze {
 
 namespace {
 
-const std::string unnamed = "the scene";  // the document, for messages
-
 constexpr std::size_t unsigned_byte = 5121;
 
 /// The faces of the materials, as they are.
@@ -51,7 +49,7 @@ class UvWriter {
         cut_(document, chosen_.mesh, chosen_.origin, no_edges_, true),
         output_(document),
         accessors_(document.root(), document.bin(), no_files_, document.bin().size() + most_zeros,
-                   unnamed),
+                   document_name),
         parts_(document.parts()) {
     surface_.positions = document.positions();
     surface_.triangles = document.triangles();

@@ -10,8 +10,6 @@ namespace craze {
 
 namespace {
 
-const std::string unnamed = "the scene";  // the document, for messages
-
 const Json& primitive_of(const GltfDocument& document, const GltfPart& part) {
   return document.root()["meshes"][part.mesh]["primitives"][part.primitive];
 }
@@ -23,7 +21,7 @@ UvSet uv_set(const GltfDocument& document, std::size_t number) {
   const FileLoader no_files;
   constexpr std::size_t most_zeros = 4'000'000;
   GltfAccessors accessors(document.root(), document.bin(), no_files,
-                          document.bin().size() + most_zeros, unnamed);
+                          document.bin().size() + most_zeros, document_name);
   UvSet set;
   set.corners.assign(3 * document.triangles().size(), Vec2::Zero());
   set.has.assign(document.triangles().size(), 0);
@@ -35,9 +33,9 @@ UvSet uv_set(const GltfDocument& document, std::size_t number) {
     if (known == read.end()) {
       const std::vector<double> weights =
           morph_weights(document.root()["meshes"][part.mesh], &document.root()["nodes"][part.node],
-                        GltfJson(unnamed));
+                        GltfJson(document_name));
       GltfPrimitive primitive(
-          json, weights, accessors, [](std::size_t) {}, unnamed);
+          json, weights, accessors, [](std::size_t) {}, document_name);
       known = read.emplace(part.first_vertex, primitive.read(key.c_str(), 2, 2)).first;
     }
     for (std::int32_t f = part.first_face; f < part.end_face; ++f) {

@@ -1,0 +1,16 @@
+# What the compiler reads at once where CMAKE_UNITY_BUILD is on: the files of a folder, so that headers
+# are parsed once a folder. A folder's unnamed namespaces must not hold one name twice.
+function(craze_read_folders_at_once target)
+  get_target_property(folder ${target} SOURCE_DIR)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    if(source MATCHES "\\.cpp$")
+      cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder})
+      cmake_path(GET source PARENT_PATH group)
+      file(RELATIVE_PATH group ${PROJECT_SOURCE_DIR} ${group})
+      string(MAKE_C_IDENTIFIER "${group}" group)
+      set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${group})
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
