@@ -1,8 +1,8 @@
 // Prints the table of docs/claims.md: what the paper says of its cracks, measured over seeds.
-#include <fmt/format.h>
 
 #include <functional>
 
+#include "craze/base/text/format.h"
 #include "craze/job/figure_table.h"
 #include "craze/model/crack_network.h"
 #include "craze/read_mesh.h"

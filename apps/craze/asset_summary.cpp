@@ -1,6 +1,5 @@
 #include "asset_summary.h"
-
-#include <fmt/format.h>
+#include "craze/base/text/format.h"
 
 #include <cmath>
 #include <map>

@@ -1,5 +1,4 @@
 // craze check MESH: what a mesh is, and what repair would do to it.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
@@ -7,6 +6,7 @@
 
 #include "app.h"
 #include "asset_summary.h"
+#include "craze/base/text/format.h"
 #include "craze/io/source_scene.h"
 #include "craze/job/load_surface.h"
 #include "craze/mesh/mesh_summary.h"

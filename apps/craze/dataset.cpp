@@ -1,11 +1,10 @@
 // craze dataset PLAN, and what can be done with a set: verify, sample, look.
 #include "craze/job/dataset/dataset.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "app.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/dataset/dataset_growth.h"

@@ -1,10 +1,10 @@
 // craze figures [NAME]...: the figures of the paper.
-#include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
 
 #include "app.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/figure_run.h"

@@ -1,9 +1,8 @@
 #include "growth_note.h"
 
-#include <fmt/format.h>
-
 #include <string>
 
+#include "craze/base/text/format.h"
 #include "terminal/error_line.h"
 
 namespace craze::app {

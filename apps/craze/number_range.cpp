@@ -1,8 +1,7 @@
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "app.h"
+#include "craze/base/text/format.h"
 #include "craze/recipe/length_text.h"
 
 namespace craze::app {

@@ -1,11 +1,10 @@
 // craze presets [NAME]: what there is to choose from.
 #include "craze/presets.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "app.h"
+#include "craze/base/text/format.h"
 
 namespace craze::app {
 

@@ -1,11 +1,10 @@
 // craze sweep PLAN: many runs as one table.
 #include "craze/job/sweep/sweep.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "app.h"
+#include "craze/base/text/format.h"
 #include "craze/job/sweep/sweep_rows.h"
 #include "growth_note.h"
 #include "run_options.h"

@@ -1,9 +1,10 @@
 #include "terminal/progress_line.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
+
+#include "craze/base/text/format.h"
 
 namespace craze::app {
 

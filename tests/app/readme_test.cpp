@@ -1,10 +1,10 @@
 // The README keeps its word: its commands run, one after the other, and its links lead somewhere.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <regex>
 
 #include "app/command.h"
+#include "craze/base/text/format.h"
 #include "craze/job/figure_table.h"
 
 namespace craze {

@@ -1,8 +1,8 @@
 // Files made to hurt. Each must end in an Error(input) of one line, soon, without much memory.
-#include <fmt/format.h>
 
 #include <chrono>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/gltf/gltf.h"
 #include "craze/io/obj/obj.h"

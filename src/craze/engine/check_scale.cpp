@@ -1,11 +1,11 @@
 #include "craze/engine/check_scale.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <limits>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/mesh/bounding_diagonal.h"
 

@@ -1,11 +1,10 @@
 #include "craze/engine/place_impacts.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/triangle_mesh.h"

@@ -1,9 +1,8 @@
 #include "craze/engine/run_outcome.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "craze/base/text/format.h"
 #include "craze/engine/roughness/crack_chains.h"
 #include "craze/engine/spacing_rounds.h"
 #include "craze/engine/width_by_age.h"

@@ -1,7 +1,5 @@
 #include "craze/engine/spacing_rounds.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "craze/base/elementary.h"
+#include "craze/base/text/format.h"
 #include "craze/engine/initial_fields.h"
 #include "craze/mesh/bounding_diagonal.h"
 #include "craze/mesh/components.h"

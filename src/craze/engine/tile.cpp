@@ -1,12 +1,11 @@
 #include "craze/engine/tile.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <string>
 
+#include "craze/base/text/format.h"
 #include "craze/engine/check_where.h"
 #include "craze/engine/place_impacts.h"
 #include "craze/engine/run_outcome.h"

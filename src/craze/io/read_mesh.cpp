@@ -1,9 +1,8 @@
 #include "craze/read_mesh.h"
 
-#include <fmt/format.h>
-
 #include <optional>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_encoding.h"
 #include "craze/io/files/extension.h"

@@ -1,9 +1,8 @@
 #include "craze/io/source_scene.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 
 namespace craze {

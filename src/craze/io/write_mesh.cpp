@@ -1,11 +1,10 @@
 #include "craze/write_mesh.h"
 #include "craze/mesh/morph_animation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/files/extension.h"

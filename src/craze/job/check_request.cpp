@@ -1,5 +1,4 @@
 // Errors worth finding before a long computation.
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/files/extension.h"
 #include "craze/job/output_folder.h"

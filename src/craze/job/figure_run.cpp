@@ -1,10 +1,9 @@
 #include "craze/job/figure_run.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <filesystem>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/run.h"

@@ -1,12 +1,11 @@
 #include "craze/job/growth_frames.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/job/crack_picture.h"
 #include "craze/job/output_place.h"

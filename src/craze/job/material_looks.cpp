@@ -1,13 +1,12 @@
 #include "craze/job/material_looks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <tuple>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/files/sibling_files.h"
 #include "craze/io/gltf/scene/uvs/uv_sets.h"

@@ -1,10 +1,10 @@
 #include "craze/job/output_place.h"
 
-#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <system_error>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 
 namespace craze {

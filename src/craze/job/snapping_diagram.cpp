@@ -1,11 +1,10 @@
 #include "craze/job/snapping_diagram.h"
 
-#include <fmt/format.h>
-
 #include <numbers>
 #include <vector>
 
 #include "craze/base/elementary.h"
+#include "craze/base/text/format.h"
 #include "craze/model/cutting/crack_insertion.h"
 
 namespace craze {

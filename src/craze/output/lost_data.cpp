@@ -1,11 +1,10 @@
 #include "craze/output/lost_data.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "craze/base/text/format.h"
 #include "craze/io/source_scene.h"
 #include "craze/mesh/run_attributes.h"
 

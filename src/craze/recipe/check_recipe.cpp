@@ -1,7 +1,6 @@
 #include "craze/recipe/check_recipe.h"
 
-#include <fmt/format.h>
-
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 
 namespace craze {

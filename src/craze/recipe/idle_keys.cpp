@@ -1,6 +1,6 @@
 #include "craze/recipe/idle_keys.h"
 
-#include <fmt/format.h>
+#include "craze/base/text/format.h"
 
 namespace craze {
 

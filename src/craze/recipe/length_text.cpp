@@ -1,13 +1,12 @@
 #include "craze/recipe/length_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdlib>
 
 #include "craze/base/parse_double.h"
+#include "craze/base/text/format.h"
 
 namespace craze {
 

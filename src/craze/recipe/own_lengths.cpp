@@ -1,9 +1,8 @@
 #include "craze/recipe/own_lengths.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/recipe/each_parameter.h"
 #include "craze/recipe/length_text.h"

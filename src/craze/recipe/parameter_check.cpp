@@ -1,10 +1,10 @@
 // Is a value of the right type and in range? And the table as JSON.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "craze/base/text/format.h"
 #include "craze/base/text/utf8.h"
 #include "craze/error.h"
 #include "craze/recipe/length_text.h"

@@ -1,7 +1,6 @@
 #include "craze/recipe/parameter_reference.h"
 
-#include <fmt/format.h>
-
+#include "craze/base/text/format.h"
 #include "craze/presets.h"
 #include "craze/recipe/parameter_table.h"
 

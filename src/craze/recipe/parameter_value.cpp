@@ -1,9 +1,9 @@
 #include "craze/recipe/parameter_value.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "craze/base/text/format.h"
 
 namespace craze {
 

@@ -1,5 +1,4 @@
 // Recipes from TOML or JSON text, and single settings from the command line.
-#include <fmt/format.h>
 
 #include <toml++/toml.h>
 #include <cctype>
@@ -9,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/recipe/nearest_name.h"
 #include "craze/recipe/parameter_table.h"

@@ -1,10 +1,9 @@
 #include "craze/recipe/toml_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/recipe/json_table.h"
 

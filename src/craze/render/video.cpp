@@ -1,7 +1,6 @@
 #include "craze/render/video.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
@@ -20,6 +19,7 @@
 #include <thread>
 #include <vector>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 
 namespace craze::render {

@@ -1,7 +1,6 @@
 #include "craze/io/files/atomic_file.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/inotify.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -11,6 +10,7 @@
 #include <csignal>
 #include <thread>
 
+#include "craze/base/text/format.h"
 #include "craze/io/files/read_file.h"
 #include "io/io_test_tools.h"
 

@@ -1,13 +1,12 @@
 #include "craze/io/bytes/text_cursor.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "craze/base/parse_double.h"
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 
 namespace craze {

@@ -1,7 +1,6 @@
 #include "craze/io/files/file_beside.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "craze/base/text/format.h"
 #include "craze/io/files/wait_for_pipe.h"
 
 namespace craze {

@@ -1,7 +1,6 @@
 #include "craze/io/files/look_pictures.h"
 
-#include <fmt/format.h>
-
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/io/files/read_file.h"

@@ -1,9 +1,8 @@
 #include "craze/io/files/sibling_files.h"
 
-#include <fmt/format.h>
-
 #include <system_error>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/files/read_file.h"
 

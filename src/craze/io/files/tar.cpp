@@ -1,13 +1,12 @@
 #include "craze/io/files/tar.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>
 #include <numeric>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 
 namespace craze {

@@ -1,11 +1,10 @@
 #include "craze/io/gltf/gltf_accessor.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/data_uri.h"
 #include "craze/io/bytes/input_error.h"
 

@@ -1,14 +1,13 @@
 // Format: Khronos Group, "glTF 2.0 Specification", 2021, section 3.7.
 #include "craze/io/gltf/gltf_builder.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <optional>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/polygons/polygon_soup.h"
 #include "craze/mesh/bounding_diagonal.h"

@@ -1,9 +1,8 @@
 #include "craze/io/gltf/gltf_features.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/data_uri.h"
 #include "craze/io/bytes/input_error.h"
 

@@ -1,10 +1,9 @@
 #include "craze/io/gltf/gltf_json.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 
 namespace craze {

@@ -1,11 +1,10 @@
 #include "craze/io/gltf/gltf_looks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <utility>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/bytes/data_uri.h"
 #include "craze/io/gltf/texture_place.h"

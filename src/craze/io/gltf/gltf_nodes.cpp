@@ -1,8 +1,8 @@
 #include "craze/io/gltf/gltf_nodes.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
+
+#include "craze/base/text/format.h"
 
 namespace craze {
 

@@ -1,10 +1,9 @@
 // Format: Khronos Group, "glTF 2.0 Specification", 2021, section 3.7.2.
 #include "craze/io/gltf/gltf_primitive.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 
 namespace craze {

@@ -1,9 +1,9 @@
 // Format: Khronos Group, "glTF 2.0 Specification", 2021.
-#include <fmt/format.h>
 
 #include <algorithm>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/gltf/gltf.h"

@@ -1,8 +1,8 @@
 #include "craze/io/gltf/gltf_scene.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include "craze/base/text/format.h"
 
 namespace craze {
 

@@ -1,7 +1,7 @@
 // Format: Khronos Group, "glTF 2.0 Specification", 2021, section 3.7.3.
 #include "craze/io/gltf/gltf_skin.h"
 
-#include <fmt/format.h>
+#include "craze/base/text/format.h"
 
 namespace craze {
 

@@ -1,5 +1,4 @@
 #include <fmt/compile.h>
-#include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/lines/uv_lines.h"
 #include "craze/io/lines/write_lines.h"

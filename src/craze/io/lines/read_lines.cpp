@@ -1,11 +1,10 @@
 #include "craze/io/lines/read_lines.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
 #include "craze/io/bytes/text_encoding.h"

@@ -1,11 +1,11 @@
 #include "craze/io/lines/write_lines.h"
 
 #include <fmt/compile.h>
-#include <fmt/format.h>
 
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/files/atomic_file.h"

@@ -1,7 +1,6 @@
 #include "craze/io/obj/looks_library.h"
 
-#include <fmt/format.h>
-
+#include "craze/base/text/format.h"
 #include "craze/io/obj/mtl.h"
 
 namespace craze {

@@ -1,11 +1,10 @@
 #include "craze/io/obj/obj_materials.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <sstream>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_encoding.h"

@@ -1,5 +1,4 @@
 // Format: Wavefront Technologies, "Object Files (.obj)", Advanced Visualizer manual, appendix B1.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <unordered_map>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
 #include "craze/io/obj/obj.h"

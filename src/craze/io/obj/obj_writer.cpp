@@ -1,5 +1,4 @@
 #include <fmt/compile.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/io/obj/mtl.h"
 #include "craze/io/obj/obj.h"
 #include "craze/io/obj/obj_scene.h"

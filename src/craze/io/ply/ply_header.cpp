@@ -1,10 +1,9 @@
 // Format: G. Turk, "The PLY Polygon File Format", Stanford University, 1994.
 #include "craze/io/ply/ply_header.h"
 
-#include <fmt/format.h>
-
 #include <set>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
 

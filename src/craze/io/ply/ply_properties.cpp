@@ -1,9 +1,8 @@
 #include "craze/io/ply/ply_properties.h"
 
-#include <fmt/format.h>
-
 #include <cctype>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/byte_order.h"
 
 namespace craze {

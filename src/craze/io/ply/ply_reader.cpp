@@ -1,11 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/ply/ply.h"
 #include "craze/io/ply/ply_rows.h"

@@ -1,9 +1,8 @@
 #include "craze/io/ply/ply_scene.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/files/bring_picture.h"
 #include "craze/io/files/file_names.h"

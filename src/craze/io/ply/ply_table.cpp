@@ -1,9 +1,8 @@
 #include "craze/io/ply/ply_table.h"
 
-#include <fmt/format.h>
-
 #include <bit>
 
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/bytes/input_error.h"
 

@@ -1,9 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/ply/ply.h"
 #include "craze/io/ply/ply_properties.h"

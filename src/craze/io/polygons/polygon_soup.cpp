@@ -1,12 +1,11 @@
 #include "craze/io/polygons/polygon_soup.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <span>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/polygons/face_normal.h"
 #include "craze/io/polygons/polygon.h"

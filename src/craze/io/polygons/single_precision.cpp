@@ -1,11 +1,10 @@
 #include "craze/io/polygons/single_precision.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <string>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 
 namespace craze {

@@ -1,8 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/bytes/text_cursor.h"
 #include "craze/io/stl/stl_facets.h"

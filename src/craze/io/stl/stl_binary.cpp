@@ -1,9 +1,9 @@
 // The meaning of the attribute bytes as colours is that of VisCAM and SolidView, and of Magics.
-#include <fmt/format.h>
 
 #include <algorithm>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/stl/stl_facets.h"

@@ -1,5 +1,4 @@
 // Format: 3D Systems, "StereoLithography Interface Specification", 1988.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
@@ -9,6 +8,7 @@
 #include <tuple>
 
 #include "craze/base/random.h"
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/input_error.h"
 #include "craze/io/polygons/polygon_soup.h"
 #include "craze/io/stl/stl.h"

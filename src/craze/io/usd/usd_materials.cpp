@@ -1,7 +1,6 @@
 #include "craze/io/usd/usd_materials.h"
 
-#include <fmt/format.h>
-
+#include "craze/base/text/format.h"
 #include "craze/io/usd/usd_surface.h"
 
 namespace craze {

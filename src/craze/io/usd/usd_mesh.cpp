@@ -1,8 +1,6 @@
 // Format: Pixar, "UsdGeom: USD Geometry Schema", Mesh and Primvars.
 #include "craze/io/usd/usd_mesh.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <map>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/io/polygons/single_precision.h"
 #include "craze/io/polygons/unify_corners.h"
 

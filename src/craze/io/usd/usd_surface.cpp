@@ -1,12 +1,11 @@
 // Format: Pixar, "UsdPreviewSurface Specification", 2.6.
 #include "craze/io/usd/usd_surface.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <numbers>
 
 #include "craze/base/elementary.h"
+#include "craze/base/text/format.h"
 #include "craze/io/usd/usd_text.h"
 
 namespace craze {

@@ -1,11 +1,11 @@
 #include "craze/io/usd/usd_text.h"
 
 #include <fmt/compile.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
+#include "craze/base/text/format.h"
 #include "craze/base/text/utf8.h"
 
 namespace craze {

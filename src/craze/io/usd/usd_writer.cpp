@@ -1,8 +1,8 @@
 // Format: Pixar, "OpenUSD: Universal Scene Description", the crate-free text form.
-#include <fmt/format.h>
 
 #include <cmath>
 
+#include "craze/base/text/format.h"
 #include "craze/io/polygons/float_grid.h"
 #include "craze/io/polygons/polygon_soup.h"
 #include "craze/io/usd/usd.h"

@@ -1,12 +1,11 @@
 #include "craze/job/dataset/dataset.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <map>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/files/tar.h"
 #include "craze/job/dataset/dataset_growth.h"

@@ -1,7 +1,6 @@
 #include "craze/job/dataset/dataset_growth.h"
 
-#include <fmt/format.h>
-
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/job/dataset/shards/shard_files.h"
 

@@ -1,12 +1,11 @@
 #include "craze/job/dataset/sample.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/bytes/sha256.h"
 #include "craze/io/image/format_png.h"

@@ -1,12 +1,11 @@
 #include "craze/job/dataset/sample_json.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "craze/base/parse_double.h"
+#include "craze/base/text/format.h"
 #include "craze/base/version.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/io/bytes/sha256.h"

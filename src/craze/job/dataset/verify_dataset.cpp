@@ -1,11 +1,10 @@
 #include "craze/job/dataset/verify_dataset.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/bytes/sha256.h"
 #include "craze/io/files/hash_file.h"

@@ -1,11 +1,10 @@
 #include "craze/job/maps/made_uvs.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <memory>
 #include <utility>
 
+#include "craze/base/text/format.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/mesh/atlas/uv_atlas.h"
 #include "craze/mesh/uv_islands.h"

@@ -1,11 +1,10 @@
 #include "craze/job/maps/map_files.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 
 #include "craze/base/parallel.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/output_folder.h"

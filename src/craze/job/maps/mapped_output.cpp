@@ -1,13 +1,12 @@
 #include "craze/job/maps/mapped_output.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 
+#include "craze/base/text/format.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"

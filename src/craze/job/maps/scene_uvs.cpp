@@ -1,13 +1,12 @@
 #include "craze/job/maps/scene_uvs.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "craze/base/text/format.h"
 #include "craze/engine/asset/cut_surface.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/error.h"

@@ -1,11 +1,10 @@
 #include "craze/job/plan/distribution.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 
 #include "craze/base/elementary.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/recipe/length_text.h"
 

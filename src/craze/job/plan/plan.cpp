@@ -1,12 +1,11 @@
 #include "craze/job/plan/plan.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/job/plan/plan_text.h"
 #include "craze/job/plan/read_distribution.h"

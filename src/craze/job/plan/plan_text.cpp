@@ -1,12 +1,11 @@
 #include "craze/job/plan/plan_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "craze/base/text/format.h"
 #include "craze/recipe/json_table.h"
 #include "craze/recipe/toml_text.h"
 

@@ -1,13 +1,12 @@
 #include "craze/job/plan/read_distribution.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <optional>
 #include <set>
 #include <sstream>
 
 #include "craze/base/elementary.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/recipe/length_text.h"
 #include "craze/recipe/nearest_name.h"

@@ -1,13 +1,12 @@
 #include "craze/job/sweep/join_parts.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <memory>
 #include <vector>
 
 #include "craze/base/parse_double.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/bytes/crc32.h"

@@ -1,11 +1,10 @@
 #include "craze/job/sweep/sweep.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 
 #include "craze/base/progress_meter.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/output_folder.h"

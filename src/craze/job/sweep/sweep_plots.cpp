@@ -1,12 +1,11 @@
 #include "craze/job/sweep/sweep_plots.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "craze/base/elementary.h"
 #include "craze/base/parse_double.h"
+#include "craze/base/text/format.h"
 #include "craze/io/files/atomic_file.h"
 #include "craze/job/output_folder.h"
 #include "craze/products/statistics/plots/plots.h"

@@ -1,9 +1,8 @@
 #include "craze/job/sweep/sweep_rows.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 
 namespace craze {

@@ -1,11 +1,10 @@
 #include "craze/job/sweep/sweep_table.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <filesystem>
 #include <optional>
 
+#include "craze/base/text/format.h"
 #include "craze/engine.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/error.h"

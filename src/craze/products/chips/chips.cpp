@@ -1,7 +1,5 @@
 #include "craze/products/chips/chips.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,6 +10,7 @@
 
 #include "craze/base/elementary.h"
 #include "craze/base/random.h"
+#include "craze/base/text/format.h"
 #include "craze/engine/width_by_age.h"
 
 namespace craze {

@@ -1,7 +1,5 @@
 #include "craze/products/faces/rough_faces.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,6 +8,7 @@
 
 #include "craze/base/elementary.h"
 #include "craze/base/parallel.h"
+#include "craze/base/text/format.h"
 #include "craze/mesh/self_intersection.h"
 #include "craze/products/faces/face_field.h"
 #include "craze/products/faces/wall_columns.h"

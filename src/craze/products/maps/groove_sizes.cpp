@@ -1,10 +1,9 @@
 #include "craze/products/maps/groove_sizes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/text/format.h"
 #include "craze/engine/width_by_age.h"
 #include "craze/mesh/bounding_diagonal.h"
 

@@ -1,13 +1,12 @@
 #include "craze/products/maps/uv_layout.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
 
+#include "craze/base/text/format.h"
 #include "craze/mesh/triangle_mesh.h"
 #include "craze/products/maps/texel_owners.h"
 

@@ -1,12 +1,11 @@
 #include "craze/products/opening/opened_surface.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
+#include "craze/base/text/format.h"
 #include "craze/engine/cracked_surface.h"
 #include "craze/engine/roughness/crack_chains.h"
 #include "craze/engine/run_outcome.h"

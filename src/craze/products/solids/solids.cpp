@@ -1,11 +1,10 @@
 #include "craze/products/solids/solids.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <utility>
 
+#include "craze/base/text/format.h"
 #include "craze/mesh/bounding_diagonal.h"
 #include "craze/products/opening/spread_limit.h"
 #include "craze/products/solids/shells.h"

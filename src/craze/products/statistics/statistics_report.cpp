@@ -1,10 +1,9 @@
 #include "craze/products/statistics/statistics_report.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "craze/base/text/format.h"
 #include "craze/products/statistics/quantities.h"
 
 namespace craze {

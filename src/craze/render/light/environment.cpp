@@ -1,12 +1,11 @@
 #include "craze/render/light/environment.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "craze/base/elementary.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 
 namespace craze::render {

@@ -1,14 +1,13 @@
 // Format: Ward, "Real pixels", Graphics Gems II, 1991; Radiance's file formats, "RGBE".
 #include "craze/render/light/radiance_picture.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 
 namespace craze::render {

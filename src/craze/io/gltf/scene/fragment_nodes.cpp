@@ -1,10 +1,9 @@
 #include "craze/io/gltf/scene/fragment_nodes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
+#include "craze/base/text/format.h"
 #include "craze/io/gltf/scene/weight_channels.h"
 #include "craze/io/gltf/solids/scene_solid.h"
 #include "craze/io/gltf/solids/solid_node.h"

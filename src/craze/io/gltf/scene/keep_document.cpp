@@ -1,8 +1,8 @@
 // Format: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.6.1 and 3.8.
-#include <fmt/format.h>
 
 #include <cmath>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/bytes/data_uri.h"

@@ -1,13 +1,12 @@
 // Format: Khronos Group, "glTF 2.0 Specification", 2021, section 3.9.
 #include "craze/io/gltf/scene/scene_pictures.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <map>
 #include <optional>
 
 #include "craze/base/parallel.h"
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/gltf/scene/scene_output.h"
 #include "craze/io/gltf/texture_place.h"

@@ -1,11 +1,10 @@
 #include "craze/job/dataset/labels/point_cloud.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "craze/base/random.h"
+#include "craze/base/text/format.h"
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/ply/ply_properties.h"
 #include "craze/render/picture.h"

@@ -1,9 +1,8 @@
 #include "craze/job/dataset/scene/mesh_folder.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/mesh_formats.h"
 

@@ -1,11 +1,10 @@
 #include "craze/job/dataset/shards/shard_files.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "craze/base/text/format.h"
 #include "craze/error.h"
 #include "craze/io/bytes/sha256.h"
 #include "craze/io/files/atomic_file.h"

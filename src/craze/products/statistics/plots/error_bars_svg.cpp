@@ -1,9 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "craze/base/elementary.h"
+#include "craze/base/text/format.h"
 #include "craze/products/statistics/plots/plots.h"
 
 namespace craze {

@@ -1,11 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "craze/base/text/format.h"
 #include "craze/products/statistics/graph/plane_frame.h"
 #include "craze/products/statistics/measures/pattern.h"
 #include "craze/products/statistics/plots/plots.h"

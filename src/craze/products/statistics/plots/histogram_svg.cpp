@@ -1,8 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "craze/base/text/format.h"
 #include "craze/products/statistics/plots/plots.h"
 
 namespace craze {
