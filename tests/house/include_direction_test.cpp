@@ -84,6 +84,9 @@ TEST(TheHouse, HasNoFolderOfFortyFiles) {
   for (const auto& [folder, files] : count) EXPECT_LT(files, 40) << folder;
 }
 
+// The one header of ours that brings fmt, for sources alone.
+const std::filesystem::path formatting = source_dir / "src/craze/base/text/format.h";
+
 TEST(Includes, OfHeadersNeedOnlyTheStandardLibraryEigenJsonAndToml) {
   for (const auto& header : sources_below("src/craze")) {
     if (header.extension() != ".h") continue;
@@ -92,7 +95,20 @@ TEST(Includes, OfHeadersNeedOnlyTheStandardLibraryEigenJsonAndToml) {
       const bool known = include.rfind("craze/", 0) == 0 || include.rfind("Eigen/", 0) == 0 ||
                          include.rfind("nlohmann/", 0) == 0 || include.rfind("toml++/", 0) == 0 ||
                          include.rfind("sanitizer/", 0) == 0;  // comes with the compiler
-      EXPECT_TRUE(standard || known) << header << " includes " << include;
+      const bool door = header == formatting && include == "fmt/format.h";
+      EXPECT_TRUE(standard || known || door) << header << " includes " << include;
+      EXPECT_NE(source_dir / "src" / include, formatting) << header << " brings fmt";
+    }
+  }
+}
+
+TEST(Includes, OfFmtsFormattingGoThroughOneHeader) {
+  for (const char* folder : {"src", "apps", "bindings", "tests"}) {
+    for (const auto& source : sources_below(folder)) {
+      if (source == formatting) continue;
+      for (const std::string& include : includes_of(source)) {
+        EXPECT_NE(include, "fmt/format.h") << source << " compiles it anew";
+      }
     }
   }
 }
