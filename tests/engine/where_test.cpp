@@ -45,7 +45,7 @@ SurfaceMesh halves(const std::string& shape = "plate?n=20") {
   return plate;
 }
 
-Recipe masked_mud(const std::vector<std::string>& settings) {
+Recipe mud_recipe(const std::vector<std::string>& settings) {
   return recipe_with(settings, recipe_with({"layer.relative_spacing=0.12"}, read_preset("mud")));
 }
 
@@ -63,7 +63,7 @@ TEST(Where, CracksStayOnTheMaterialsAndObjectsThatAreNamed) {
   for (const char* given : {"where.materials=leather", "where.materials=l*", "where.nodes=door_r*",
                             "where.attribute=half"}) {
     for (const char* edge : {"mesh.edge=keep", "mesh.edge=0.03"}) {
-      expect_cracks_right_of(border, lines_of(halves(), masked_mud({given, edge})),
+      expect_cracks_right_of(border, lines_of(halves(), mud_recipe({given, edge})),
                              std::string(given) + " " + edge);
     }
   }
@@ -71,12 +71,12 @@ TEST(Where, CracksStayOnTheMaterialsAndObjectsThatAreNamed) {
 
 TEST(Where, InvertedIsTheRestOfTheSurface) {
   const LineSet lines =
-      lines_of(halves(), masked_mud({"where.materials=glass", "where.invert=true"}));
+      lines_of(halves(), mud_recipe({"where.materials=glass", "where.invert=true"}));
   expect_cracks_right_of(border, lines, "inverted");
 }
 
 TEST(Where, OfEulerStepsHoldsToo) {
-  Recipe recipe = masked_mud({"where.materials=leather", "mesh.edge=0.04", "engine=euler",
+  Recipe recipe = mud_recipe({"where.materials=leather", "mesh.edge=0.04", "engine=euler",
                               "evolution.shrinkage=0.003", "evolution.relaxation_steps=10"});
   expect_cracks_right_of(border, lines_of(halves(), recipe), "euler");
 }
@@ -175,8 +175,8 @@ Bands densities(const Recipe& recipe, int seeds) {
 TEST(AFadingMask, LetsTheDensityOfCracksOnlyFallAndNeverRiseAboveTheUnmaskedOne) {
   constexpr int seeds = 4;
   constexpr double noise = 0.1;  // twice the standard error of a band's mean of four seeds, about
-  const Bands all = densities(masked_mud({}), seeds);
-  const Bands faded = densities(masked_mud({"where.attribute=fade"}), seeds);
+  const Bands all = densities(mud_recipe({}), seeds);
+  const Bands faded = densities(mud_recipe({"where.attribute=fade"}), seeds);
   double before = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double share = faded[i] / all[i];
@@ -190,7 +190,7 @@ TEST(AFadingMask, LetsTheDensityOfCracksOnlyFallAndNeverRiseAboveTheUnmaskedOne)
 
 TEST(FreeSpacing, CountsWhatCracksFreelyAlone) {
   const SurfaceMesh plate = halves("plate?n=40&jitter=0.3");
-  Recipe recipe = masked_mud({"where.attribute=half", "mesh.edge=keep", "layer.rounds=3"});
+  Recipe recipe = mud_recipe({"where.attribute=half", "mesh.edge=keep", "layer.rounds=3"});
   const double diagonal = std::sqrt(2.0);
   const SpacedRun run = run_to_spacing(plate, recipe, {}, {});
   const TriangleMesh& mesh = run.last.simulation->mesh();

@@ -103,7 +103,7 @@ TEST(Includes, OfHeadersNeedOnlyTheStandardLibraryEigenJsonAndToml) {
 }
 
 TEST(Includes, OfFmtsFormattingGoThroughOneHeader) {
-  for (const char* folder : {"src", "apps", "bindings", "tests"}) {
+  for (const char* folder : {"src", "apps", "bindings", "tests", "benchmarks", "fuzz"}) {
     for (const auto& source : sources_below(folder)) {
       if (source == formatting) continue;
       for (const std::string& include : includes_of(source)) {

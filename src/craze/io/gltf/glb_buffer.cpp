@@ -6,6 +6,7 @@
 
 #include "craze/io/bytes/byte_order.h"
 #include "craze/io/gltf/glb_file.h"
+#include "craze/io/gltf/gltf_elements.h"
 
 namespace craze {
 
@@ -13,7 +14,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int float_component = 5126, uint_component = 5125;
+constexpr int uint_component = 5125;
 constexpr int array_buffer = 34962, element_array_buffer = 34963;
 constexpr const char* types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
 
@@ -56,7 +57,7 @@ std::size_t GlbBuffer::add_accessor(std::size_t view, int component, std::size_t
 }
 
 std::size_t GlbBuffer::add_floats(std::span<const float> numbers, int components, Target target) {
-  return add_accessor(add_view(numbers, target), float_component,
+  return add_accessor(add_view(numbers, target), float_type,
                       numbers.size() / static_cast<std::size_t>(components), types[components - 1]);
 }
 
@@ -79,7 +80,7 @@ std::size_t GlbBuffer::add_positions(std::span<const std::array<float, 3>> posit
 std::size_t GlbBuffer::add_sparse_vectors(std::size_t count, std::span<const std::uint32_t> indices,
                                           std::span<const std::array<float, 3>> vectors) {
   const Bounds box = bounds(vectors, {});  // with the zeros
-  accessors_.push_back({{"componentType", float_component},
+  accessors_.push_back({{"componentType", float_type},
                         {"count", count},
                         {"type", types[2]},
                         {"min", box[0]},

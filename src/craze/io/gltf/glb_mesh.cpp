@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "craze/base/progress_meter.h"
+#include "craze/io/gltf/gltf_primitive.h"
 #include "craze/io/gltf/line_lifts.h"
 #include "craze/io/polygons/single_precision.h"
 
@@ -221,7 +222,6 @@ ordered_json glb_lines(const SurfaceMesh& mesh, const Vec3& origin,
       indices.push_back(found->second);
     }
   }
-  constexpr int lines_mode = 1;
   ordered_json primitive{{"mode", lines_mode},
                          {"attributes", {{"POSITION", buffer.add_positions(points)}}},
                          {"indices", buffer.add_indices(indices)},

@@ -20,6 +20,10 @@ namespace craze {
 inline const std::string document_name = "the scene";
 /// Bytes between which any element may start.
 inline constexpr std::size_t element_alignment = 16;
+/// The first such place from `at` on.
+inline std::size_t aligned(std::size_t at) {
+  return (at + element_alignment - 1) / element_alignment * element_alignment;
+}
 
 /// The triangles of one primitive, shown by one node (or one instance of it).
 struct GltfPart {

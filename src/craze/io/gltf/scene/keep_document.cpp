@@ -16,11 +16,8 @@ namespace craze {
 
 namespace {
 
-/// What any element of a buffer may be aligned to.
-
 void pad(std::string& bytes) {
-  bytes.resize((bytes.size() + element_alignment - 1) / element_alignment * element_alignment,
-               '\0');
+  bytes.resize(aligned(bytes.size()), '\0');
 }
 
 /// "clay" for "textures/clay.png".

@@ -252,7 +252,7 @@ std::vector<SceneOutput::Range> SceneOutput::unused_ranges(
   for (const Range& range : merged(std::move(unused))) {
     std::size_t at = range.begin;
     const auto add_up_to = [&](std::size_t end) {
-      const std::size_t from = (at + element_alignment - 1) / element_alignment * element_alignment;
+      const std::size_t from = aligned(at);
       const std::size_t to = end / element_alignment * element_alignment;
       if (from < to) result.push_back({from, to});
     };
@@ -294,8 +294,7 @@ void SceneOutput::reuse_views() {
     if (shift > 0) views[v]["byteOffset"] = begin - shift;
   }
   for (std::size_t i = 0; i < added_bytes_.size(); ++i) {
-    bytes.resize((bytes.size() + element_alignment - 1) / element_alignment * element_alignment,
-                 '\0');
+    bytes.resize(aligned(bytes.size()), '\0');
     views[old_views_ + i]["byteOffset"] = bytes.size();
     bytes += added_bytes_[i];
   }
